@@ -1,0 +1,9 @@
+# What every target of ours has in common: warnings as errors, and the sanitizers where a preset asks for them.
+function(dermis_target name)
+  target_compile_options(${name} PRIVATE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wconversion;-Werror>)
+  if(DERMIS_SANITIZE)
+    target_compile_options(${name} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${DERMIS_SANITIZE};-fno-omit-frame-pointer;-fno-sanitize-recover=all>)
+    target_link_options(${name} PRIVATE -fsanitize=${DERMIS_SANITIZE})
+  endif()
+endfunction()
