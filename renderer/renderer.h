@@ -1,0 +1,120 @@
+// The library's face: a Renderer draws a ResolvedScene with the GL context that is current.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/image/image.h"
+#include "core/scene/resolved_scene.h"
+
+namespace dermis {
+
+/// Images of the frame that can be looked at or saved by name. Aov::Beauty is the picture.
+enum class Aov {
+  Beauty, Diffuse, Specular, Normal, Occlusion, Depth, ProfileId
+};
+[[nodiscard]] std::string_view toString(Aov aov);  ///< "beauty", "diffuse", …, "profile_id"
+[[nodiscard]] std::vector<Aov> allAovs();
+
+/// What the GL context is.
+struct GlInfo {
+  std::string vendor, renderer, version, platform;  ///< platform: "EGL surfaceless", "EGL device", "widget"
+  bool software = false;                            ///< llvmpipe, softpipe, swrast
+};
+
+struct RendererOptions {
+  std::filesystem::path cacheFolder;  ///< for baked environments; empty: no disk cache
+  bool failOnGlError = false;         ///< tests: any GL error or high-severity debug message is recorded as a failure
+  std::string platform = "widget";
+};
+
+/// One frame to draw.
+struct FrameRequest {
+  glm::ivec2 size{1280, 720};
+  Camera camera;
+  ViewSettings view;      ///< transform, display, exposure; "Raw" writes scene-linear values
+  Aov aov = Aov::Beauty;  ///< what is displayed
+  bool moving = false;    ///< something is being dragged: one cheap anti-aliased frame, no accumulation
+  int targetSamples = 64;
+  bool exactDisplay = false;  ///< exports: OCIO's exact program rather than the baked LUT
+  double seconds = 0.0;       ///< time for the lights' animation
+  unsigned framebuffer = 0;   ///< GL framebuffer to put the displayed picture in
+};
+
+/// Counters of what was really done, for tests and the statistics line; cumulative since create().
+struct RenderStatistics {
+  std::uint64_t frames = 0, programsCompiled = 0, texturesUploaded = 0, geometryUploads = 0, environmentsBaked = 0,
+                environmentsFromCache = 0, uniformBlocksUploaded = 0, displayProgramsBuilt = 0, glErrors = 0;
+  std::uint64_t texturesReleased = 0;
+  std::size_t residentTextures = 0, triangles = 0;
+  int samples = 0, targetSamples = 0;  ///< of the picture shown last
+};
+
+/// GPU and CPU milliseconds of one pass of the last frame.
+struct PassTime {
+  std::string name;
+  double gpuMs = 0.0, cpuMs = 0.0;
+};
+
+class Renderer {
+ public:
+  /// Needs a current GL context. Errors: Runtime, where it isn't GL 4.5 core or better.
+  [[nodiscard]] static Result<std::unique_ptr<Renderer>> create(const RendererOptions& options);
+  virtual ~Renderer() = default;
+
+  /// What to draw from now on. Cheap: compares with what is resident; uploads happen in the next frame or as jobs.
+  virtual void setScene(std::shared_ptr<const ResolvedScene> scene) = 0;
+
+  /// Draws one frame (or adds one sample to it) into request.framebuffer. Returns false where the scene isn't drawable.
+  virtual bool renderFrame(const FrameRequest& request) = 0;
+  /// True while renderFrame would add to the picture: fewer samples than asked for.
+  [[nodiscard]] virtual bool accumulating() const = 0;
+  /// Forgets accumulated samples.
+  virtual void restartAccumulation() = 0;
+
+  /// Runs queued GPU jobs (environment bakes, program warm-up) for about `budgetMs`, at least one slice; true while some are left. The last complete
+  /// environment stays in use until the next one is complete.
+  virtual bool runJobs(double budgetMs) = 0;
+  /// 0..1 of the job in progress and what it is; empty text when idle.
+  [[nodiscard]] virtual std::pair<std::string, double> jobProgress() const = 0;
+  /// Drops queued jobs: the last complete environment stays.
+  virtual void cancelJobs() = 0;
+  /// Completes all jobs now (command line, tests). Errors: Runtime, a shader that doesn't compile.
+  [[nodiscard]] virtual Result<void> finishJobs() = 0;
+
+  /// The accumulated image, linear Rec.709, Float: RGBA premultiplied for Beauty, RGB or one channel for the others.
+  [[nodiscard]] virtual Image readAov(Aov aov) = 0;
+  /// AOVs kept while accumulating (Beauty always is). Changing the set restarts accumulation.
+  virtual void keepAovs(const std::vector<Aov>& aovs) = 0;
+  /// The accumulated beauty through the request's view, U8 or U16 RGBA, alpha unassociated, top row first.
+  [[nodiscard]] virtual Image readDisplay(const ViewSettings& view, PixelType type) = 0;
+
+  /// World position under a pixel of the last frame; nothing where there is only sky.
+  [[nodiscard]] virtual std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) = 0;
+
+  [[nodiscard]] virtual const GlInfo& glInfo() const = 0;
+  [[nodiscard]] virtual RenderStatistics statistics() const = 0;
+  [[nodiscard]] virtual std::vector<PassTime> passTimes() const = 0;
+  /// Messages since the last call: shader errors with file:line, textures reduced, GL debug messages.
+  [[nodiscard]] virtual Warnings takeMessages() = 0;
+  /// Where DERMIS_SHADER_DIR is set: recompiles what changed on disk; keeps the last good program.
+  virtual void reloadChangedShaders() = 0;
+};
+
+/// The views the display offers: those of the active OCIO config and the seeds' own ("Raw", "Thesis", "Gamma 2.2").
+struct DisplayViews {
+  std::vector<std::string> displays, views;
+  std::string defaultDisplay, defaultView;
+};
+/// Errors: Input, a broken $OCIO.
+[[nodiscard]] Result<DisplayViews> displayViews();
+
+}  // namespace dermis
