@@ -1,0 +1,51 @@
+// What the scene's lights send to a point.
+//
+// Intensities: point, spot, sphere and rect lights have a radiant intensity, so they give I/d² at distance d scene units; a
+// directional light has its irradiance. A sphere light is lit from its centre, which for a point that sees all of it is its exact
+// irradiance (I = L π r²); a rect light from its centre with the one-sided cosine of a flat emitter, whose intensity on the axis
+// is the light's. The shape of their highlights is a point's.
+#ifndef DERMIS_LIGHTS
+#define DERMIS_LIGHTS
+
+#include "frame_block.glsl"
+
+const float kLightPoint = 0.0;
+const float kLightDirectional = 1.0;
+const float kLightSpot = 2.0;
+const float kLightSphere = 3.0;
+const float kLightRect = 4.0;
+
+struct LightSample {
+  vec3 to_light;    // unit
+  vec3 irradiance;  // on a surface that faces the light
+};
+
+// 1 inside the inner cone, 0 outside the outer one; the square of the linear ramp between their cosines, as glTF's
+// KHR_lights_punctual defines it, so that an exported light looks the same.
+float spotFalloff(float cos_angle, float cos_inner, float cos_outer) {
+  float t = clamp((cos_angle - cos_outer) / max(cos_inner - cos_outer, 1e-4), 0.0, 1.0);
+  return t * t;
+}
+
+LightSample lightAt(int index, vec3 position) {
+  LightData light = u_lights[index];
+  float type = light.position_type.w;
+  LightSample result;
+  if (type == kLightDirectional) {
+    result.to_light = -light.direction_outer.xyz;
+    result.irradiance = light.radiant_inner.rgb;
+    return result;
+  }
+  vec3 offset = light.position_type.xyz - position;
+  float distance2 = dot(offset, offset);
+  // A light inside the surface would be infinitely bright; a sphere light is never nearer than its own surface.
+  float nearest = type == kLightSphere ? light.size.x * light.size.x : 0.0;
+  result.to_light = offset * inversesqrt(max(distance2, 1e-12));
+  result.irradiance = light.radiant_inner.rgb / max(distance2, max(nearest, 1e-8));
+  float cos_angle = -dot(result.to_light, light.direction_outer.xyz);
+  if (type == kLightSpot) result.irradiance *= spotFalloff(cos_angle, light.radiant_inner.w, light.direction_outer.w);
+  if (type == kLightRect) result.irradiance *= max(cos_angle, 0.0);
+  return result;
+}
+
+#endif

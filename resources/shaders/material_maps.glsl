@@ -1,0 +1,107 @@
+// Reading a material's maps through DrawBlock. Whether a map is there is a uniform, so the branch costs nothing to take and
+// no program is compiled when a map comes or goes.
+#ifndef DERMIS_MATERIAL_MAPS
+#define DERMIS_MATERIAL_MAPS
+
+#include "draw_block.glsl"
+#include "surface_types.glsl"
+
+// Indices of TextureSlot, which are the texture units as well.
+const int kMapAlbedo = 0;
+const int kMapNormal = 1;
+const int kMapDetailNormal = 2;
+const int kMapDetailMask = 3;
+const int kMapMetallic = 4;
+const int kMapRoughness = 5;
+const int kMapSpecular = 6;
+const int kMapCavity = 7;
+const int kMapOcclusion = 8;
+const int kMapDisplacement = 9;
+const int kMapThickness = 10;
+const int kMapSubsurface = 11;
+const int kMapEmissive = 12;
+
+layout(binding = 0) uniform sampler2D u_map_albedo;
+layout(binding = 1) uniform sampler2D u_map_normal;
+layout(binding = 2) uniform sampler2D u_map_detail_normal;
+layout(binding = 3) uniform sampler2D u_map_detail_mask;
+layout(binding = 4) uniform sampler2D u_map_metallic;
+layout(binding = 5) uniform sampler2D u_map_roughness;
+layout(binding = 6) uniform sampler2D u_map_specular;
+layout(binding = 7) uniform sampler2D u_map_cavity;
+layout(binding = 8) uniform sampler2D u_map_occlusion;
+layout(binding = 9) uniform sampler2D u_map_displacement;
+layout(binding = 10) uniform sampler2D u_map_thickness;
+layout(binding = 11) uniform sampler2D u_map_subsurface;
+layout(binding = 12) uniform sampler2D u_map_emissive;
+
+bool hasMap(int slot) { return (u_map_bits.x & (1 << slot)) != 0; }
+
+vec2 mapUv(int slot, vec2 uv) { return uv * u_maps[slot].transform.zw; }
+
+// A data map's value, channel chosen, inverted and scaled as the slot says; 1 where there is no map.
+float scalarMap(sampler2D map, int slot, vec2 uv) {
+  if (!hasMap(slot)) return 1.0;
+  return dot(texture(map, mapUv(slot, uv)), u_maps[slot].channel) * u_maps[slot].transform.x + u_maps[slot].transform.y;
+}
+
+// A colour map's value with its alpha; 1 where there is no map.
+vec4 colourMap(sampler2D map, int slot, vec2 uv) {
+  if (!hasMap(slot)) return vec4(1.0);
+  vec4 texel = texture(map, mapUv(slot, uv));
+  return vec4(max(texel.rgb * u_maps[slot].transform.x + u_maps[slot].transform.y, 0.0), texel.a);
+}
+
+// How much image light the occlusion map leaves: strength 0 ignores the map (glTF 2.0, occlusionTexture.strength).
+float occlusionMap(vec2 uv, float strength) {
+  return 1.0 + strength * (clamp(scalarMap(u_map_occlusion, kMapOcclusion, uv), 0.0, 1.0) - 1.0);
+}
+
+// A normal map's texel as a direction in the tangent frame, its slope multiplied by `strength` and by the slot's scale.
+vec3 tangentNormal(sampler2D map, int slot, vec2 uv, float strength) {
+  vec3 n = texture(map, uv).xyz * 2.0 - 1.0;
+  if ((u_map_bits.y & (1 << slot)) != 0) n.y = -n.y;
+  n.xy *= strength * abs(u_maps[slot].transform.x);
+  return normalize(vec3(n.xy, max(n.z, 1e-3)));
+}
+
+// Puts the detail normal on top of the base normal as if the base were flat: reoriented normal mapping, Barré-Brisebois & Hill
+// 2012, "Blending in Detail".
+vec3 reorientedNormal(vec3 base, vec3 detail) {
+  vec3 t = base + vec3(0.0, 0.0, 1.0);
+  vec3 u = detail * vec3(-1.0, -1.0, 1.0);
+  return normalize(t * dot(t, u) - u * t.z);
+}
+
+// The vertex normal of the side that is seen.
+vec3 facingNormal(Surface s) { return s.front_facing ? s.normal : -s.normal; }
+
+// From the tangent frame (MikkTSpace's: neither interpolated vector is orthogonal exactly) to the world.
+vec3 worldNormal(Surface s, vec3 n) {
+  vec3 tangent = s.tangent.xyz - s.normal * dot(s.normal, s.tangent.xyz);
+  float length2 = dot(tangent, tangent);
+  if (length2 < 1e-8) return facingNormal(s);
+  tangent *= inversesqrt(length2);
+  vec3 bitangent = s.tangent.w * cross(s.normal, tangent);
+  vec3 world = normalize(tangent * n.x + bitangent * n.y + s.normal * n.z);
+  return s.front_facing ? world : -world;
+}
+
+// The normal that is lit: the vertex normal bent by the normal map.
+vec3 mappedNormal(Surface s, float strength) {
+  if (!hasMap(kMapNormal) || u_map_bits.z == 0) return facingNormal(s);
+  return worldNormal(s, tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength));
+}
+
+// The same with the tiling detail normal on top, where its mask lets it.
+vec3 mappedNormalWithDetail(Surface s, float strength, float detail_strength, float detail_tiling) {
+  if (!hasMap(kMapDetailNormal) || detail_strength == 0.0 || u_map_bits.z == 0) return mappedNormal(s, strength);
+  vec3 base = vec3(0.0, 0.0, 1.0);
+  if (hasMap(kMapNormal)) base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
+  float mask = clamp(scalarMap(u_map_detail_mask, kMapDetailMask, s.uv), 0.0, 1.0);
+  vec2 uv = mapUv(kMapDetailNormal, s.uv) * detail_tiling;
+  vec3 detail = tangentNormal(u_map_detail_normal, kMapDetailNormal, uv, detail_strength * mask);
+  return worldNormal(s, reorientedNormal(base, detail));
+}
+
+#endif

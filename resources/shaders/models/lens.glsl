@@ -1,0 +1,31 @@
+// Cornea shell: a reflection added over a thin black that covers lens.opacity of what lies behind. Drawn after opaque things,
+// premultiplied: picture = specular + (1 − alpha) · behind.
+#define DERMIS_LOBES 1
+#include "generated/material_block.glsl"
+#include "models/layered.glsl"
+
+const float kCorneaIor = 1.376;  // Gullstrand's schematic eye
+const float kTearFilmPerceptualRoughness = 0.02;
+
+Shading shade(Surface s) {
+  Layer layer;
+  layer.f0 = vec3(F0_fromIor(kCorneaIor));
+  layer.body_f0 = layer.f0;
+  layer.perceptual_roughness[0] = kTearFilmPerceptualRoughness;
+  layer.weight[0] = 1.0;
+
+  vec3 normal = s.front_facing ? s.normal : -s.normal;
+  LayerPoint p = layerPoint(layer, normal, s.view);
+  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight image = layerImage(layer, p, normal, 1.0);
+
+  Shading result;
+  result.diffuse = vec3(0.0);
+  result.specular = inHalfRange(lamps.specular + image.specular);
+  // The published blending, source alpha over one minus source alpha, dims the reflection as well.
+  if (u_material.lens_seed_blending != 0) result.specular *= u_material.lens_opacity;
+  result.alpha = u_material.lens_opacity;
+  result.occlusion = 1.0;
+  result.shading_normal = normal;
+  return result;
+}

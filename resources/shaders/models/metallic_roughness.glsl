@@ -1,0 +1,45 @@
+// glTF 2.0's material, with the specular layer that skin has: one lobe, F0 0.04 for dielectrics.
+#define DERMIS_LOBES 1
+#include "generated/material_block.glsl"
+#include "material_maps.glsl"
+#include "models/layered.glsl"
+
+// Words of metallic_roughness.alpha_mode.
+const int kAlphaOpaque = 0;
+const int kAlphaMask = 1;
+const int kAlphaBlend = 2;
+
+Shading shade(Surface s) {
+  vec4 texel = colourMap(u_map_albedo, kMapAlbedo, s.uv);
+  vec3 albedo = u_material.base_albedo.rgb * texel.rgb;
+  float metallic = clamp(u_material.base_metallic * scalarMap(u_map_metallic, kMapMetallic, s.uv), 0.0, 1.0);
+  float roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
+  float ao = occlusionMap(s.uv, u_material.occlusion_strength);
+  vec3 emission = u_material.metallic_roughness_emissive.rgb * u_material.metallic_roughness_emissive_strength *
+                  colourMap(u_map_emissive, kMapEmissive, s.uv).rgb;
+  vec3 normal = mappedNormal(s, u_material.surface_normal_strength);
+
+  float alpha = u_material.metallic_roughness_opacity * texel.a;
+  int mode = u_material.metallic_roughness_alpha_mode;
+  if (mode == kAlphaMask && alpha < u_material.metallic_roughness_alpha_cutoff) discard;
+  if (mode != kAlphaBlend) alpha = 1.0;
+
+  Layer layer;
+  layer.body_f0 = vec3(0.04);
+  layer.f0 = mix(layer.body_f0, albedo, metallic);
+  layer.perceptual_roughness[0] = clamp(roughness, kMinPerceptualRoughness, 1.0);
+  layer.weight[0] = 1.0;
+
+  LayerPoint p = layerPoint(layer, normal, s.view);
+  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight image = layerImage(layer, p, facingNormal(s), ao);
+
+  // glTF's alpha is coverage: it thins the whole surface, its reflections too.
+  Shading result;
+  result.diffuse = inHalfRange(alpha * albedo * (1.0 - metallic) * (lamps.body + image.body));
+  result.specular = inHalfRange(alpha * (lamps.specular + image.specular + emission));
+  result.alpha = alpha;
+  result.occlusion = ao;
+  result.shading_normal = normal;
+  return result;
+}

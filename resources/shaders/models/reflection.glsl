@@ -1,0 +1,19 @@
+// The lab's mirror, as published: the sharp environment along reflect(−v, n), encoded with pow 1/2.2 in the shader. What is written is
+// display-referred; its natural view is Raw.
+#include "brdf.glsl"
+#include "frame_block.glsl"
+#include "lighting/environment.glsl"
+#include "surface_types.glsl"
+
+Shading shade(Surface s) {
+  vec3 normal = s.front_facing ? s.normal : -s.normal;
+  vec3 mirrored = environmentSharp(reflect(-s.view, normal));
+
+  Shading result;
+  result.diffuse = vec3(0.0);
+  result.specular = min(pow(max(mirrored, 0.0), vec3(1.0 / 2.2)), vec3(kHalfMax));
+  result.alpha = 1.0;
+  result.occlusion = 1.0;
+  result.shading_normal = normal;
+  return result;
+}

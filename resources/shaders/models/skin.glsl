@@ -1,0 +1,37 @@
+// Skin: two specular lobes over a body that scatters. The body's light leaves where it entered (Lambert).
+#define DERMIS_LOBES 2
+#include "generated/material_block.glsl"
+#include "material_maps.glsl"
+#include "models/layered.glsl"
+
+Shading shade(Surface s) {
+  vec3 albedo = u_material.base_albedo.rgb * colourMap(u_map_albedo, kMapAlbedo, s.uv).rgb;
+  float metallic = clamp(u_material.base_metallic * scalarMap(u_map_metallic, kMapMetallic, s.uv), 0.0, 1.0);
+  float roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
+  float intensity = max(u_material.specular_intensity * scalarMap(u_map_specular, kMapSpecular, s.uv), 0.0);
+  float cavity = clamp(u_material.specular_cavity * scalarMap(u_map_cavity, kMapCavity, s.uv), 0.0, 1.0);
+  float ao = occlusionMap(s.uv, u_material.occlusion_strength);
+  vec3 normal = mappedNormalWithDetail(s, u_material.surface_normal_strength, u_material.surface_detail_strength,
+                                       u_material.surface_detail_tiling);
+
+  Layer layer;
+  layer.body_f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
+  layer.f0 = mix(layer.body_f0, albedo, metallic);
+  for (int i = 0; i < DERMIS_LOBES; ++i)
+    layer.perceptual_roughness[i] = clamp(roughness * u_material.specular_lobe_scale[i], kMinPerceptualRoughness, 1.0);
+  layer.weight[0] = intensity * (1.0 - u_material.specular_lobe_mix);
+  layer.weight[1] = intensity * u_material.specular_lobe_mix;
+
+  LayerPoint p = layerPoint(layer, normal, s.view);
+  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight image = layerImage(layer, p, facingNormal(s), ao);
+
+  Shading result;
+  result.diffuse = inHalfRange(albedo * (1.0 - metallic) * (lamps.body + image.body));
+  // Pores and creases swallow reflections; what they swallow is not diffused either.
+  result.specular = inHalfRange(cavity * (lamps.specular + image.specular));
+  result.alpha = 1.0;
+  result.occlusion = ao;
+  result.shading_normal = normal;
+  return result;
+}
