@@ -1,0 +1,105 @@
+#include "core/builtin/default_look.h"
+
+#include <array>
+
+#include "core/scene/primitives.h"
+
+namespace dermis {
+namespace {
+
+constexpr std::array<std::string_view, 4> kModels = {"default", "head", "sphere", "plane"};
+
+/// At the default look's sizes on screen an arc of 1/160 of the circle departs from the true outline by under 0.1
+/// pixel.
+constexpr int kTrioSegments = 160;
+
+Material skinMaterial() {
+  Material material;
+  material.name = "Fair skin";
+  material.model = ShadingModel::Skin;
+  material.parameters.baseAlbedo = {{0.78F, 0.53F, 0.42F}};
+  material.parameters.specularPerceptualRoughness = 0.42F;
+  return material;
+}
+
+Material eyeMaterial() {
+  Material material;
+  material.name = "Brown eye";
+  material.model = ShadingModel::Eye;
+  material.parameters.specularIor = 1.376F;
+  material.parameters.specularPerceptualRoughness = 0.06F;
+  material.parameters.specularLobeScale = {1.0F, 1.0F};
+  return material;
+}
+
+Material goldMaterial() {
+  Material material;
+  material.name = "Gold";
+  material.model = ShadingModel::MetallicRoughness;
+  material.parameters.baseAlbedo = {{1.00F, 0.71F, 0.29F}};
+  material.parameters.baseMetallic = 1.0F;
+  material.parameters.specularPerceptualRoughness = 0.22F;
+  return material;
+}
+
+Model trio() {
+  struct Ball {
+    std::string_view slot;
+    Material material;
+    float radius;
+    glm::vec3 centre;
+    glm::vec3 rotateDegrees;
+  };
+  // Scene units of 100 mm. All three rest on the plane y = −1.
+  const std::array<Ball, 3> balls = {{
+      {"skin", skinMaterial(), 1.0F, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}},
+      {"eye", eyeMaterial(), 0.58F, {-1.42F, -0.42F, 0.62F}, {0.0F, 14.0F, 0.0F}},
+      {"gold", goldMaterial(), 0.58F, {1.42F, -0.42F, 0.62F}, {0.0F, 0.0F, 0.0F}},
+  }};
+  Model model;
+  const Model sphere = makeSphere(kTrioSegments);
+  for (const Ball& ball : balls) {
+    Model copy = sphere;
+    copy.slots.front() = {std::string(ball.slot), ball.material};
+    appendModel(model, copy, {glm::vec3(ball.radius), ball.rotateDegrees, ball.centre});
+  }
+  return model;
+}
+
+}  // namespace
+
+std::span<const std::string_view> builtinModels() { return kModels; }
+
+Result<Model> builtinModel(std::string_view name) {
+  if (name == "default") return trio();
+  if (name == "sphere") return makeSphere();
+  if (name == "plane") return makePlane();
+  if (name == "head") {
+    Model model = trio();
+    model.warnings.emplace_back("this version has no built-in head yet; the built-in trio of spheres stands in for it");
+    return model;
+  }
+  return inputError("there is no built-in model \"" + std::string(name) + "\"; choose default, head, sphere or plane");
+}
+
+Scene defaultLook() {
+  Scene scene;
+  scene.name = "Default look";
+  for (const Material& material : {skinMaterial(), eyeMaterial(), goldMaterial()}) {
+    const std::string slot = material.model == ShadingModel::Skin  ? "skin"
+                             : material.model == ShadingModel::Eye ? "eye"
+                                                                   : "gold";
+    scene.materials[slot].material = material;
+  }
+  scene.model.builtin = "default";
+  scene.environment.builtin = "studio";
+  scene.environment.background = {BackgroundKind::Prefiltered, 0.55F, glm::vec3(0.0F)};
+  Camera camera;
+  camera.position = {0.0F, 0.62F, 8.6F};
+  camera.target = {0.0F, -0.06F, 0.2F};
+  camera.verticalFovDegrees = 20.0F;
+  scene.camera = camera;
+  return scene;
+}
+
+}  // namespace dermis

@@ -1,0 +1,24 @@
+// What the program shows without a file: a trio of spheres (skin, an eye-like dielectric, gold) in the studio.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/scene/model.h"
+#include "core/scene/scene.h"
+
+namespace dermis {
+
+/// Names that a scene's `model.builtin` takes, for messages and help: "default", "sphere", "plane".
+[[nodiscard]] std::span<const std::string_view> builtinModels();
+
+/// A model made in code. "default" has the slots `skin`, `eye`, `gold`, each with its own material as the imported
+/// one. "head" gives "default" until the embedded head exists, and says so in the model's warnings.
+/// Errors: Input, an unknown name.
+[[nodiscard]] Result<Model> builtinModel(std::string_view name);
+
+/// The embedded default look, complete: model, a material for each slot, camera, environment, view.
+[[nodiscard]] Scene defaultLook();
+
+}  // namespace dermis
