@@ -49,7 +49,7 @@ def scenes(assets):
     face_maps = {"albedo": {"path": os.path.join(makehuman, "textures", "skin_light_albedo.png"), "color_space": "srgb"},
                  "occlusion": {"path": os.path.join(makehuman, "textures", "head_a_ao.png")}}
     second_head = {
-        "face": material("skin", {"specular.perceptual_roughness": 0.4}, face_maps),
+        "skin": material("skin", {"specular.perceptual_roughness": 0.4}, face_maps),
         "eye": material("eye", {"specular.perceptual_roughness": 0.08}, eye_map),
         "lens": material("lens", {"lens.opacity": 0.0}, {}),
     }
