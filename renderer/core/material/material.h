@@ -123,6 +123,8 @@ struct Material {
   nlohmann::ordered_json metadata = nlohmann::ordered_json::object();  ///< "author", "notes", … as read
   nlohmann::ordered_json unknown = nlohmann::ordered_json::object();   ///< top-level keys that we don't know, kept
   nlohmann::ordered_json unknownParameters = nlohmann::ordered_json::object();  ///< the same inside "parameters"
+  /// The same inside "textures": unknown slots whole, unknown keys of a known slot under its id.
+  nlohmann::ordered_json unknownTextures = nlohmann::ordered_json::object();
 
   [[nodiscard]] const TextureBinding& texture(TextureSlot slot) const {
     return textures.at(static_cast<std::size_t>(slot));

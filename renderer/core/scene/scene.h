@@ -1,4 +1,5 @@
-// What is looked at: the whole look, as in a .dermis file. Plain values; paths are not resolved here.
+// What is looked at: the whole look, as in a .dermis file. Plain values; nothing is loaded here. In memory paths of files
+// are absolute (scene_io makes them relative to the scene's folder when it writes).
 #pragma once
 
 #include <array>
@@ -20,6 +21,7 @@ struct ModelFilePart {
   glm::vec3 translate{0.0F};
   glm::vec3 rotateDegrees{0.0F};
   glm::vec3 scale{1.0F};
+  nlohmann::ordered_json unknown = nlohmann::ordered_json::object();  ///< keys that we don't know, kept
   bool operator==(const ModelFilePart&) const = default;
 };
 
@@ -35,7 +37,7 @@ struct ModelSource {
 /// What a slot wears: a copy of a preset, and where it came from.
 struct MaterialBinding {
   Material material;
-  std::string presetPath;  ///< as written; empty for an inline preset
+  std::string presetPath;  ///< absolute, or "builtin:NAME"; empty for an inline preset
   bool edited = false;     ///< differs from the preset at presetPath: saved inline with "based_on"
   bool operator==(const MaterialBinding&) const = default;
 };
@@ -83,6 +85,7 @@ struct Light {
   float radiusMm = 50.0F;                            ///< of a sphere light, and of a visible lamp
   glm::vec2 sizeMm{200.0F, 200.0F};                  ///< of a rect light
   LightAnimation animation;
+  nlohmann::ordered_json unknown = nlohmann::ordered_json::object();  ///< keys that we don't know, kept
   bool operator==(const Light&) const = default;
 };
 inline constexpr std::size_t kMaxLights = 16;
@@ -111,7 +114,8 @@ struct Scene {
   std::optional<Camera> camera;  ///< unset: one that frames the model's bounds from +Z
   ViewSettings view;
   std::string name;
-  nlohmann::ordered_json unknown = nlohmann::ordered_json::object();  ///< keys that we don't know, kept
+  /// Keys that we don't know, kept; those inside "model", "environment", "camera" and "view" under these names.
+  nlohmann::ordered_json unknown = nlohmann::ordered_json::object();
   bool operator==(const Scene&) const = default;
 
   /// The binding for a slot: its own, else that of "*", else null.
