@@ -10,6 +10,7 @@
 
 #include "brdf.glsl"
 #include "frame_block.glsl"
+#include "lighting/dfg.glsl"
 #include "lighting/environment.glsl"
 #include "lights.glsl"
 #include "surface_types.glsl"

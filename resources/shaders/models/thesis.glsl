@@ -3,6 +3,7 @@
 #include "brdf.glsl"
 #include "frame_block.glsl"
 #include "generated/material_block.glsl"
+#include "lighting/dfg.glsl"
 #include "lighting/environment.glsl"
 #include "lights.glsl"
 #include "material_maps.glsl"
