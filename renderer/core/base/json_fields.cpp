@@ -19,12 +19,16 @@ constexpr std::size_t kMaxReported = 20;
 }  // namespace
 
 void JsonReport::refuse(const std::string& pointer, const std::string& what) {
-  // The root's pointer is the empty string; a sentence needs a noun.
-  if (!error) error = Error{Error::Kind::Input, file + ": " + (pointer.empty() ? "the file" : pointer) + " " + what};
+  if (!error) error = Error{Error::Kind::Input, sentence(pointer, what)};
 }
 
 void JsonReport::warn(const std::string& pointer, const std::string& what) {
-  warnings.push_back(file + ": " + (pointer.empty() ? "the file" : pointer) + " " + what);
+  warnings.push_back(sentence(pointer, what));
+}
+
+std::string JsonReport::sentence(const std::string& pointer, const std::string& what) const {
+  // The root's pointer is the empty text; a sentence needs a noun.
+  return (file.empty() ? "" : file + ": ") + (pointer.empty() ? "the root" : pointer) + " " + what;
 }
 
 std::string_view typeName(const Json& value) {
@@ -73,6 +77,11 @@ std::optional<std::vector<float>> readNumbers(const Json& value, std::size_t cou
     numbers.push_back(*number);
   }
   return numbers;
+}
+
+bool hasDirection(const glm::vec3& vector) {
+  const double length = glm::length(glm::dvec3(vector));
+  return length > 1e-9 && length < 1e9;
 }
 
 JsonFields::JsonFields(const Json& object, std::string pointer, JsonReport& report)

@@ -21,9 +21,10 @@ struct JsonReport {
   Warnings& warnings;
   std::optional<Error> error = std::nullopt;
 
-  /// "fair.json: /parameters/specular.ior must be …". The first sentence stays.
+  /// With `file`, where there is one: "fair.json: /parameters/specular.ior must be …". The first sentence stays.
   void refuse(const std::string& pointer, const std::string& what);
   void warn(const std::string& pointer, const std::string& what);
+  [[nodiscard]] std::string sentence(const std::string& pointer, const std::string& what) const;
 };
 
 /// "a number", "a string", … for sentences.
@@ -31,6 +32,8 @@ struct JsonReport {
 
 /// A finite number that a 32-bit float can hold; else refuses and returns nothing.
 [[nodiscard]] std::optional<float> readNumber(const Json& value, const std::string& pointer, JsonReport& report);
+/// Whether a vector is neither zero nor so long or short that normalising it would leave the range of a float.
+[[nodiscard]] bool hasDirection(const glm::vec3& vector);
 /// Exactly `count` of them.
 [[nodiscard]] std::optional<std::vector<float>> readNumbers(const Json& value, std::size_t count,
                                                             const std::string& pointer, JsonReport& report);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
 namespace dermis {
@@ -51,34 +50,6 @@ glm::vec3 halfExtents(const Bounds& bounds) {
   return glm::max(0.5F * (bounds.max - bounds.min), glm::vec3(1e-6F));
 }
 
-Result<float> numberFrom(const nlohmann::ordered_json& json, const std::string& pointer) {
-  if (!json.is_number()) return inputError(pointer + " must be a number");
-  const auto value = json.get<double>();
-  if (!std::isfinite(value) || std::abs(value) > 1e30) return inputError(pointer + " must be a finite number");
-  return static_cast<float>(value);
-}
-
-Result<glm::vec3> vectorFrom(const nlohmann::ordered_json& json, const std::string& pointer) {
-  if (!json.is_array() || json.size() != 3) return inputError(pointer + " must be a list of three numbers");
-  glm::vec3 result;
-  for (int i = 0; i < 3; ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    const Result<float> value = numberFrom(json[index], pointer + "/" + std::to_string(i));
-    if (!value) return tl::unexpected(value.error());
-    result[i] = *value;
-  }
-  return result;
-}
-
-/// The double whose shortest decimal is that of the float, so that 0.45F is written 0.45.
-double shortest(float value) {
-  std::array<char, 48> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  double result = 0.0;
-  std::from_chars(text.data(), end, result);
-  return result;
-}
-
 }  // namespace
 
 std::span<const NamedCameraRow> namedCameras() { return kCameras; }
@@ -118,52 +89,55 @@ std::optional<Camera> namedCamera(std::string_view name, const Bounds& bounds) {
   return std::nullopt;
 }
 
-Result<Camera> cameraFromJson(const nlohmann::ordered_json& json, const std::string& pointer, const Camera& base) {
-  if (!json.is_object())
-    return inputError((pointer.empty() ? std::string("a camera") : pointer) + " must be an object");
-  Camera camera = base;
-  const auto readVector = [&](const char* key, glm::vec3& into) -> Result<void> {
-    if (!json.contains(key)) return {};
-    const Result<glm::vec3> value = vectorFrom(json[key], pointer + "/" + key);
-    if (!value) return tl::unexpected(value.error());
-    into = *value;
-    return {};
-  };
-  if (auto r = readVector("position", camera.position); !r) return tl::unexpected(r.error());
-  if (auto r = readVector("target", camera.target); !r) return tl::unexpected(r.error());
-  if (auto r = readVector("up", camera.up); !r) return tl::unexpected(r.error());
-  if (json.contains("vertical_fov_degrees")) {
-    const Result<float> fov = numberFrom(json["vertical_fov_degrees"], pointer + "/vertical_fov_degrees");
-    if (!fov) return tl::unexpected(fov.error());
-    if (*fov <= 0.0F || *fov >= 180.0F) return inputError(pointer + "/vertical_fov_degrees must lie between 0 and 180");
-    camera.verticalFovDegrees = *fov;
-    camera.orthographicHeight.reset();
-  }
-  if (json.contains("orthographic_height") && !json["orthographic_height"].is_null()) {
-    const Result<float> height = numberFrom(json["orthographic_height"], pointer + "/orthographic_height");
-    if (!height) return tl::unexpected(height.error());
-    if (*height <= 0.0F) return inputError(pointer + "/orthographic_height must be above 0");
-    camera.orthographicHeight = *height;
-  }
+void readCamera(JsonFields& fields, Camera& camera) {
+  JsonReport& report = fields.report();
+  fields.read("position", camera.position);
+  fields.read("target", camera.target);
+  fields.read("up", camera.up);
+  if (!hasDirection(camera.up)) report.refuse(fields.pointerTo("up"), "has no direction; give a vector that is not 0");
   const glm::vec3 forward = camera.target - camera.position;
-  if (!(glm::length(forward) > 0.0F)) return inputError(pointer + "/position and target must differ");
-  if (!(glm::length(glm::cross(forward, camera.up)) > 0.0F))
-    return inputError(pointer + "/up must not lie along the viewing direction");
+  if (!hasDirection(forward))
+    report.refuse(fields.pointerTo("position"), "must differ from the target, or the camera looks nowhere");
+  // The up vector's part across the view must be more than rounding.
+  const glm::dvec3 across = glm::cross(glm::normalize(glm::dvec3(forward)), glm::normalize(glm::dvec3(camera.up)));
+  if (!(glm::length(across) > 1e-5))
+    report.refuse(fields.pointerTo("up"), "is parallel to the view direction; give another one");
+
+  if (fields.find("vertical_fov_degrees") != nullptr) {
+    fields.read("vertical_fov_degrees", camera.verticalFovDegrees);
+    camera.orthographicHeight.reset();
+    if (camera.verticalFovDegrees <= 0.0F || camera.verticalFovDegrees >= 180.0F)
+      report.refuse(fields.pointerTo("vertical_fov_degrees"), "must be above 0 and below 180");
+  }
+  if (fields.find("orthographic_height") != nullptr) {
+    float height = 1.0F;
+    fields.read("orthographic_height", height);
+    if (height <= 0.0F) report.refuse(fields.pointerTo("orthographic_height"), "must be above 0");
+    camera.orthographicHeight = height;
+  }
+}
+
+Result<Camera> cameraFromJson(const Json& json, const std::string& pointer, const Camera& base) {
+  Camera camera = base;
+  Warnings warnings;
+  JsonReport report{"", warnings};
+  JsonFields fields(json, pointer, report);
+  readCamera(fields, camera);
+  if (const Json unknown = fields.unknown(); !unknown.empty())
+    report.refuse(fields.pointerTo(unknown.begin().key()), "is no key of a camera");
+  if (report.error) return tl::unexpected(std::move(*report.error));
   return camera;
 }
 
-nlohmann::ordered_json cameraToJson(const Camera& camera) {
+Json cameraToJson(const Camera& camera) {
   const auto vector = [](const glm::vec3& v) {
-    return nlohmann::ordered_json::array({shortest(v.x), shortest(v.y), shortest(v.z)});
+    return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
   };
-  nlohmann::ordered_json json;
-  json["position"] = vector(camera.position);
-  json["target"] = vector(camera.target);
-  json["up"] = vector(camera.up);
+  Json json = {{"position", vector(camera.position)}, {"target", vector(camera.target)}, {"up", vector(camera.up)}};
   if (camera.orthographicHeight)
-    json["orthographic_height"] = shortest(*camera.orthographicHeight);
+    json["orthographic_height"] = jsonNumber(*camera.orthographicHeight);
   else
-    json["vertical_fov_degrees"] = shortest(camera.verticalFovDegrees);
+    json["vertical_fov_degrees"] = jsonNumber(camera.verticalFovDegrees);
   return json;
 }
 

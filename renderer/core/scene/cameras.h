@@ -1,11 +1,12 @@
 // Cameras by name, from a model's bounds, and as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
 
+#include "core/base/json_fields.h"
+#include "core/base/json_text.h"
 #include "core/base/result.h"
 #include "core/scene/model.h"
 #include "core/scene/scene.h"
@@ -27,10 +28,12 @@ struct NamedCameraRow {
 /// The same along any direction (from the target to the camera).
 [[nodiscard]] Camera framingCamera(const Bounds& bounds, const glm::vec3& towardsCamera);
 
-/// `pointer` is the JSON pointer of the value, for messages. Errors: Input, naming the place ("/camera/position").
-/// Keys that are left out keep the values of `base`.
-[[nodiscard]] Result<Camera> cameraFromJson(const nlohmann::ordered_json& json, const std::string& pointer,
-                                            const Camera& base);
-[[nodiscard]] nlohmann::ordered_json cameraToJson(const Camera& camera);
+/// Reads a camera's keys over what `camera` is; those that are left out keep their values. Refuses in the report what
+/// has no direction: a zero `up`, one along the view, a target at the position.
+void readCamera(JsonFields& fields, Camera& camera);
+/// The same for a camera on its own; `pointer` is the JSON pointer of the value, for messages. Unknown keys are
+/// refused. Errors: Input, naming the place ("/camera/position").
+[[nodiscard]] Result<Camera> cameraFromJson(const Json& json, const std::string& pointer, const Camera& base);
+[[nodiscard]] Json cameraToJson(const Camera& camera);
 
 }  // namespace dermis
