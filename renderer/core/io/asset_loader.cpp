@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/file_reference.h"
 #include "core/builtin/default_look.h"
 #include "core/builtin/environments.h"
 #include "core/io/content_hash.h"
@@ -126,9 +127,8 @@ std::vector<ResolvedMaterial> chooseMaterials(const Scene& scene, const Model& m
   for (std::size_t i = 0; i < slots.size(); ++i) {
     if (const MaterialBinding* binding = scene.bindingFor(model.slots[i].name)) {
       slots[i].material = binding->material;
-      // The path a preset came from gives the folder its own paths count from, unless its reader made them absolute.
       for (TextureBinding& texture : slots[i].material.textures)
-        if (texture.present()) texture.path = absolutePath(texture.path, baseFolder);
+        if (texture.present()) texture.path = absoluteReference(texture.path, baseFolder);
     } else if (imported) {
       slots[i].material = model.slots[i].imported;
       fromModelFile[i] = true;
@@ -160,13 +160,6 @@ std::shared_ptr<const void> AssetCache::findAny(const std::string& key) const {
   const std::lock_guard lock(m_mutex);
   const auto it = m_entries.find(key);
   return it == m_entries.end() ? nullptr : it->second.lock();
-}
-
-std::string absolutePath(const std::string& path, const fs::path& baseFolder) {
-  if (path.empty() || path.starts_with(kEmbedded)) return path;
-  std::error_code error;
-  const fs::path base = baseFolder.empty() ? fs::current_path(error) : fs::absolute(baseFolder, error);
-  return (base / path).lexically_normal().string();
 }
 
 Result<std::shared_ptr<const Image>> resolveTexture(const fs::path& path, const ResolveOptions& options,
@@ -212,7 +205,7 @@ Result<std::shared_ptr<const Model>> resolveModel(const ModelSource& source, con
     std::vector<std::shared_ptr<const Model>> parts;
     std::string key = "parts";
     for (const ModelFilePart& part : source.parts) {
-      const fs::path path = absolutePath(part.path, baseFolder);
+      const fs::path path = absoluteReference(part.path, baseFolder);
       auto model = loadModelFile(path, options, warnings);
       if (!model) return model;
       parts.push_back(*model);
@@ -227,7 +220,7 @@ Result<std::shared_ptr<const Model>> resolveModel(const ModelSource& source, con
     remember(options, key, shared);
     return shared;
   }
-  if (!source.path.empty()) return loadModelFile(absolutePath(source.path, baseFolder), options, warnings);
+  if (!source.path.empty()) return loadModelFile(absoluteReference(source.path, baseFolder), options, warnings);
   const std::string key = "builtin model|" + source.builtin;
   if (auto model = cached<Model>(options, key)) return model;
   Result<Model> model = builtinModel(source.builtin);
@@ -274,7 +267,7 @@ Result<std::shared_ptr<const EnvironmentImages>> loadFaces(const std::array<std:
   auto environment = std::make_shared<EnvironmentImages>();
   std::uint64_t combined = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const fs::path path = absolutePath(faces.at(i), baseFolder);
+    const fs::path path = absoluteReference(faces.at(i), baseFolder);
     auto image = loadRadiance(path, options, warnings);
     if (!image) return tl::unexpected(image.error());
     const Result<std::uint64_t> hash = contentHashOfFile(path);
@@ -309,14 +302,14 @@ Result<std::shared_ptr<const EnvironmentImages>> resolveEnvironment(const Enviro
   }
   if (source.hasFaces()) {
     std::string key = "faces";
-    for (const std::string& face : source.faces) key += "|" + AssetCache::fileKey(absolutePath(face, baseFolder));
+    for (const std::string& face : source.faces) key += "|" + AssetCache::fileKey(absoluteReference(face, baseFolder));
     if (auto known = cached<EnvironmentImages>(options, key)) return known;
     auto loaded = loadFaces(source.faces, baseFolder, options, warnings);
     if (loaded) remember(options, key, *loaded);
     return loaded;
   }
   if (!source.path.empty()) {
-    const fs::path path = absolutePath(source.path, baseFolder);
+    const fs::path path = absoluteReference(source.path, baseFolder);
     std::string key = AssetCache::fileKey(path);
     if (!key.empty()) key = "environment|" + key;
     if (auto known = cached<EnvironmentImages>(options, key)) return known;

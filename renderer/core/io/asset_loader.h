@@ -64,7 +64,4 @@ struct ResolveOptions {
 [[nodiscard]] Result<std::shared_ptr<const Image>> resolveTexture(const std::filesystem::path& path,
                                                                   const ResolveOptions& options, Warnings& warnings);
 
-/// `path` as written in a file of `baseFolder`: absolute and normal; `embedded:N` stays as it is.
-[[nodiscard]] std::string absolutePath(const std::string& path, const std::filesystem::path& baseFolder);
-
 }  // namespace dermis
