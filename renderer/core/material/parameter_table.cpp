@@ -44,7 +44,6 @@ struct Builder {
   }
   Builder&& unit(std::string_view text) && { row.unit = text; return std::move(*this); }
   Builder&& kernel() && { row.invalidates = Invalidates::DiffusionKernel; return std::move(*this); }
-  Builder&& textures() && { row.invalidates = Invalidates::Textures; return std::move(*this); }
   Builder&& map(TextureSlot slot) && { row.map = slot; return std::move(*this); }
   Builder&& words(std::span<const std::string_view> list) && { row.words = list; return std::move(*this); }
   Builder&& says(std::string_view text) && { row.sentence = text; return std::move(*this); }
@@ -106,7 +105,7 @@ std::vector<ParameterRow> buildRows() {
     .says("Reflectance at normal incidence. Null follows the IOR; any value wins over it.")
     .from("Lab: gold (1.00, 0.71, 0.29), silver (0.95, 0.93, 0.88)"));
   b.push_back(row<&P::specularPerceptualRoughness>("specular.perceptual_roughness", "Roughness", "Specular", kSkin | kThesis | kLab | kEye | kGltf)
-    .hard(0.02F, 1).soft(0.02F, 1).map(TextureSlot::Roughness)
+    .hard(0.02F, 1).soft(0.2F, 0.7F).map(TextureSlot::Roughness)
     .says("Perceptual roughness a; the width of the microfacet distribution is alpha = a².").from("Burley 2012; skin lies in 0.3 to 0.6"));
   b.push_back(row<&P::specularLobeScale>("specular.lobe_scale", "Lobe scale", "Specular", kSkin | kEye).hard(0.05F, 3).soft(0.5F, 1.5F).unit("×")
     .says("Roughness of the first and second specular lobe as multiples of the roughness, each clamped to 0.02..1.").from("Unreal Engine subsurface profile"));
@@ -115,7 +114,7 @@ std::vector<ParameterRow> buildRows() {
   b.push_back(row<&P::specularIntensity>("specular.intensity", "Intensity", "Specular", kSkin | kThesis | kEye).hard(0, 2).map(TextureSlot::Specular).unit("×")
     .says("Multiplies what the specular lobes reflect; in `thesis` it is the published specular value.").from("Seed"));
   b.push_back(row<&P::specularCavity>("specular.cavity", "Cavity", "Specular", kSkin | kEye).hard(0, 1).map(TextureSlot::Cavity)
-    .says("How much of the specular reflection survives in pores and creases; multiplies the cavity map.").from("Jimenez 2015"));
+    .says("How much of the specular reflection survives in pores and creases; multiplies the cavity map.").from("Jimenez & von der Pahlen 2013, Next-Generation Character Rendering"));
 
   b.push_back(row<&P::subsurfaceWeight>("subsurface.weight", "Weight", "Subsurface", kSkin).hard(0, 1).map(TextureSlot::Subsurface)
     .says("How much of the diffuse light spreads below the surface; the rest leaves where it entered (Lambert).").from("OpenPBR Surface"));
@@ -144,7 +143,7 @@ std::vector<ParameterRow> buildRows() {
     .says("Where thickness is read: a map, the mesh by ray casting, or the light's shadow map.").from("HDRP; Jimenez et al. 2010"));
   b.push_back(row<&P::transmissionThicknessMinMm>("transmission.thickness_min_mm", "Thickness min", "Transmission", kSkin).hard(0, 500).soft(0, 50).unit("mm")
     .says("Thickness where the map is 0.").from("HDRP thickness remap"));
-  b.push_back(row<&P::transmissionThicknessMaxMm>("transmission.thickness_max_mm", "Thickness max", "Transmission", kSkin).hard(0, 500).soft(0, 50).unit("mm")
+  b.push_back(row<&P::transmissionThicknessMaxMm>("transmission.thickness_max_mm", "Thickness max", "Transmission", kSkin).hard(0, 500).soft(0, 50).unit("mm").map(TextureSlot::Thickness)
     .says("Thickness where the map is 1; the thickness everywhere where there is no map.").from("Seed (\"thickness\")"));
   b.push_back(row<&P::transmissionNormalScale>("transmission.normal_scale", "Normal scale", "Transmission", kSkin).hard(0, 5).soft(0, 1).unit("mm")
     .says("How far the point is moved inwards along its normal before it looks up the thickness.").from("Unreal Engine; Jimenez et al. 2010"));
@@ -174,9 +173,9 @@ std::vector<ParameterRow> buildRows() {
     .says("Geometry factor G: none, Smith with k = α²/2 and α = 0.3, or Cook-Torrance.").from("Lab; Cook & Torrance 1982; Schlick 1994"));
 
   b.push_back(row<&P::eyeScleraColor>("eye.sclera_color", "Sclera colour", "Eye", kEye).hard(0, 1).map(TextureSlot::Albedo)
-    .says("Albedo outside the iris; with an albedo map it tints the map there.").from("Spectral means of healthy sclera, Zuñiga et al."));
+    .says("Albedo outside the iris; with an albedo map it tints the map there.").from("Look: a warm white"));
   b.push_back(row<&P::eyeIrisColor>("eye.iris_color", "Iris colour", "Eye", kEye).hard(0, 1).map(TextureSlot::Albedo)
-    .says("Albedo of the iris; with an albedo map it tints the map there.").from("Lefohn et al. 2003"));
+    .says("Albedo of the iris; with an albedo map it tints the map there.").from("Look: a brown iris"));
   b.push_back(row<&P::eyeIrisRadiusMm>("eye.iris_radius_mm", "Iris radius", "Eye", kEye).hard(0, 30).soft(4, 8).unit("mm")
     .says("Radius of the visible iris.").from("Human mean 5.9 mm (diameter 11.8 mm)"));
   b.push_back(row<&P::eyeIrisDepthMm>("eye.iris_depth_mm", "Iris depth", "Eye", kEye).hard(0, 30).soft(0, 5).unit("mm")
