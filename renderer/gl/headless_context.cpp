@@ -76,7 +76,7 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
   };
 
   if (hasClientExtension("EGL_MESA_platform_surfaceless") &&
-      attempt(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "EGL surfaceless"))
+      attempt(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "EGL surfaceless"))
     return made;
 
   if (hasClientExtension("EGL_EXT_platform_device") && hasClientExtension("EGL_EXT_device_enumeration")) {
@@ -84,7 +84,7 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
     EGLint count = 0;
     eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count);
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
-      if (attempt(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices.at(i), nullptr), "EGL device")) return made;
+      if (attempt(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices.at(i), nullptr), "EGL device")) return made;
   }
   return runtimeError("OpenGL 4.5 is not available without a window (" + reason +
                       "); install a driver, or Mesa's software renderer (Debian: libegl1 and libgl1-mesa-dri).");
