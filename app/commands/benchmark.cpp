@@ -1,0 +1,183 @@
+// dermis benchmark: what loading, baking and a frame cost on this machine.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/commands/commands.h"
+#include "app/commands/headless.h"
+#include "app/commands/look.h"
+#include "core/base/json_text.h"
+#include "core/io/importer.h"
+
+namespace dermis::cli {
+namespace {
+
+struct BenchmarkOptions {
+  LookOptions look;
+  std::string size = "1280x720";
+  int frames = 30;
+  bool json = false;
+};
+
+struct Cost {
+  double wallMs = 0.0, cpuMs = 0.0;
+};
+
+/// Wall and CPU milliseconds (all threads) of what `work` does.
+Cost measured(const std::function<void()>& work) {
+  const double cpu = cpuSeconds();
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return {std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count(),
+          1e3 * (cpuSeconds() - cpu)};
+}
+
+double rounded(double ms) { return std::round(ms * 1000.0) / 1000.0; }
+Json costJson(const Cost& cost) { return {{"wall_ms", rounded(cost.wallMs)}, {"cpu_ms", rounded(cost.cpuMs)}}; }
+
+/// Resident memory in MiB, from the kernel's own count.
+double residentMiB() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == "VmRSS:") {
+      double kilobytes = 0.0;
+      status >> kilobytes;
+      return kilobytes / 1024.0;
+    }
+  return 0.0;
+}
+
+/// Draws `frames` frames and returns the mean cost of one, and of its passes.
+Cost drawFrames(Renderer& renderer, FrameRequest frame, int frames, Json* passes) {
+  std::map<std::string, std::pair<double, double>> sums;
+  std::vector<std::string> order;
+  const Cost total = measured([&] {
+    for (int i = 0; i < frames; ++i) {
+      // A camera that turns a little: what a drag does, nothing can be kept from the frame before.
+      frame.camera.position.x += 1e-3F;
+      renderer.renderFrame(frame);
+      for (const PassTime& pass : renderer.passTimes()) {
+        const auto [it, added] = sums.try_emplace(pass.name);
+        if (added) order.push_back(pass.name);
+        it->second.first += pass.gpuMs;
+        it->second.second += pass.cpuMs;
+      }
+    }
+    // Reading back waits for all that was queued.
+    (void)renderer.readDisplay(frame.view, PixelType::U8);
+  });
+  if (passes != nullptr)
+    for (const std::string& name : order)
+      (*passes)[name] = {{"gpu_ms", rounded(sums[name].first / frames)},
+                         {"cpu_ms", rounded(sums[name].second / frames)}};
+  return {total.wallMs / frames, total.cpuMs / frames};
+}
+
+Outcome<int> benchmark(const BenchmarkOptions& options) {
+  const Outcome<glm::ivec2> size = parseSize(options.size);
+  if (!size) return tl::unexpected(size.error());
+  ProgressLine progress(!options.json);
+  Warnings warnings;
+  Json json;
+
+  std::optional<Outcome<Look>> look;
+  const Cost load = measured([&] { look.emplace(resolveLook(options.look, progress, warnings)); });
+  printWarnings(warnings);
+  if (!*look) return tl::unexpected(look->error());
+
+  std::optional<Outcome<HeadlessRenderer>> headless;
+  const Cost start = measured([&] { headless.emplace(HeadlessRenderer::create(false)); });
+  if (!*headless) return tl::unexpected(headless->error());
+  Renderer& renderer = ***headless;
+  const GlInfo& gl = renderer.glInfo();
+
+  renderer.setScene(std::make_shared<const ResolvedScene>((*look)->resolved));
+  Outcome<void> baked;
+  const Cost bake = measured([&] { baked = finishJobs(renderer, progress); });
+  if (!baked) return tl::unexpected(baked.error());
+
+  FrameRequest frame;
+  frame.size = *size;
+  frame.camera = (*look)->resolved.camera;
+  frame.view = (*look)->resolved.scene.view;
+  frame.moving = true;
+  const Cost first = drawFrames(renderer, frame, 1, nullptr);
+  Json passes = Json::object();
+  const Cost moving = drawFrames(renderer, frame, options.frames, &passes);
+  frame.moving = false;
+  frame.targetSamples = 1;
+  const Cost still = drawFrames(renderer, frame, std::max(1, options.frames / 3), nullptr);
+  warnings = renderer.takeMessages();
+  printWarnings(warnings);
+  const RenderStatistics statistics = renderer.statistics();
+
+  json["version"] = DERMIS_VERSION;
+  json["gl"] = {{"platform", gl.platform},
+                {"vendor", gl.vendor},
+                {"renderer", gl.renderer},
+                {"version", gl.version},
+                {"software", gl.software}};
+  json["size"] = {size->x, size->y};
+  json["frames"] = options.frames;
+  json["triangles"] = (*look)->resolved.model->indices.size() / 3;
+  json["load"] = costJson(load);
+  json["start_gl"] = costJson(start);
+  json["bake"] = costJson(bake);
+  json["first_frame"] = costJson(first);
+  json["frame_moving"] = costJson(moving);
+  json["frame_moving"]["passes"] = passes;
+  json["frame_still"] = costJson(still);
+  json["programs_compiled"] = statistics.programsCompiled;
+  json["import_module_loaded"] = importerLoaded();
+  json["resident_mib"] = rounded(residentMiB());
+  if (options.json) {
+    fmt::print("{}\n", json.dump(2));
+    return kDone;
+  }
+  const auto line = [](std::string_view what, const Cost& cost) {
+    fmt::print("{:<24}{:>10.2f} ms{:>10.2f} ms CPU\n", what, cost.wallMs, cost.cpuMs);
+  };
+  fmt::print("{}, {}\n{} triangles at {}x{}\n", gl.renderer, gl.version, json["triangles"].get<std::size_t>(), size->x,
+             size->y);
+  line("load", load);
+  line("start OpenGL", start);
+  line("bake the environment", bake);
+  line("first frame", first);
+  line("frame while moving", moving);
+  for (const auto& [name, cost] : passes.items())
+    fmt::print("  {:<22}{:>10.2f} ms GPU{:>9.2f} ms CPU\n", name, cost["gpu_ms"].get<double>(),
+               cost["cpu_ms"].get<double>());
+  line("one still sample", still);
+  fmt::print("{:<24}{:>10.1f} MiB\n", "resident memory", residentMiB());
+  return kDone;
+}
+
+}  // namespace
+
+void addBenchmark(CLI::App& root, Action& action) {
+  auto options = std::make_shared<BenchmarkOptions>();
+  CLI::App* command = root.add_subcommand("benchmark", "Measure load, bake and frame times of a look");
+  addLookOptions(*command, options->look);
+  command->add_option("--size", options->size, "Pixels, 1280x720 by default")->type_name("WxH");
+  command->add_option("--frames", options->frames, "Frames to average over, 30 by default")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  command->add_flag("--json", options->json, "As JSON");
+  command->footer(R"(
+Examples:
+  dermis benchmark
+  dermis benchmark --model head.glb --environment studio.hdr --json
+
+Environments are baked anew, whatever the cache holds. Milliseconds of CPU count all threads: on a software
+renderer they are the figure to compare.)");
+  command->callback([options, &action] { action = [options] { return benchmark(*options); }; });
+}
+
+}  // namespace dermis::cli

@@ -1,0 +1,42 @@
+// dermis parameters: the parameter table.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/commands.h"
+#include "core/material/parameter_docs.h"
+
+namespace dermis::cli {
+
+void addParameters(CLI::App& root, Action& action) {
+  struct Options {
+    bool json = false, markdown = false, schema = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      root.add_subcommand("parameters", "List every material parameter: id, type, range, default, meaning");
+  auto* json = command->add_flag("--json", options->json, "As JSON, an array of rows");
+  auto* markdown = command->add_flag("--markdown", options->markdown, "As a page in Markdown");
+  command->add_flag("--schema", options->schema, "As the JSON Schema of preset files")
+      ->excludes(json)
+      ->excludes(markdown);
+  json->excludes(markdown);
+  command->footer(R"(
+Examples:
+  dermis parameters
+  dermis parameters --json | jq '.[] | select(.group == "Subsurface") | .id'
+  dermis parameters --schema > dermis.material.schema.json)");
+  command->callback([options, &action] {
+    action = [options]() -> Outcome<int> {
+      std::string text = options->json       ? parametersAsJson()
+                         : options->markdown ? parametersAsMarkdown()
+                         : options->schema   ? parametersAsJsonSchema()
+                                             : parametersAsText();
+      if (!text.ends_with('\n')) text += '\n';
+      fmt::print("{}", text);
+      return kDone;
+    };
+  });
+}
+
+}  // namespace dermis::cli

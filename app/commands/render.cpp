@@ -1,0 +1,124 @@
+// dermis render: one still.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "app/commands/commands.h"
+#include "app/commands/picture.h"
+#include "core/base/json_fields.h"
+
+namespace dermis::cli {
+namespace {
+
+struct RenderOptions {
+  LookOptions look;
+  std::string size = "1280x720";
+  int samples = 64;
+  std::vector<std::string> aovs;
+  std::string output;
+  bool noMetadata = false;
+  bool glInfo = false;
+};
+
+void printGlInfo(const GlInfo& info) {
+  fmt::print("platform  {}\nvendor    {}\nrenderer  {}\nversion   {}\nsoftware  {}\n", info.platform, info.vendor,
+             info.renderer, info.version, info.software ? "yes" : "no");
+}
+
+Outcome<Aov> aovNamed(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Aov aov : allAovs()) {
+    if (lowerCase(name) == toString(aov)) return aov;
+    known.emplace_back(toString(aov));
+  }
+  return wrongUsage(fmt::format("--aov: there is no AOV \"{}\"; choose {}", name, listed(known)));
+}
+
+Outcome<int> render(const RenderOptions& options) {
+  // Everything that the command line alone can get wrong comes first, then the folder, then files, then the GPU.
+  PictureRequest request;
+  const Outcome<glm::ivec2> size = parseSize(options.size);
+  if (!size) return tl::unexpected(size.error());
+  request.size = *size;
+  request.samples = options.samples;
+  request.metadata = !options.noMetadata;
+  for (const std::string& name : options.aovs) {
+    const Outcome<Aov> aov = aovNamed(name);
+    if (!aov) return tl::unexpected(aov.error());
+    if (std::find(request.aovs.begin(), request.aovs.end(), *aov) == request.aovs.end()) request.aovs.push_back(*aov);
+  }
+  if (options.output.empty() && !options.glInfo)
+    return wrongUsage("render needs -o and the name of a picture to write");
+  if (!options.output.empty()) {
+    request.output = options.output;
+    if (const auto fine = checkOutputFile(request.output, kPictureExtensions); !fine)
+      return tl::unexpected(fine.error());
+    if (!request.aovs.empty() && extensionOf(request.output) != ".exr")
+      return wrongUsage(fmt::format("--aov: {} cannot hold layers; name an .exr file", options.output));
+  }
+
+  ProgressLine progress;
+  Warnings warnings;
+  if (options.output.empty()) {
+    const auto headless = HeadlessRenderer::create();
+    if (!headless) return tl::unexpected(headless.error());
+    printGlInfo((*headless)->glInfo());
+    return kDone;
+  }
+  const Outcome<Look> look = resolveLook(options.look, progress, warnings);
+  printWarnings(warnings);
+  if (!look) return tl::unexpected(look.error());
+  if (extensionOf(request.output) == ".exr" && !look->viewGiven && look->resolved.scene.view.transform != "Raw")
+    fmt::print(
+        stderr,
+        "warning: {} will hold values encoded for the display by the view {}; --view raw writes scene-linear ones\n",
+        options.output, look->resolved.scene.view.transform);
+
+  const auto headless = HeadlessRenderer::create();
+  if (!headless) return tl::unexpected(headless.error());
+  Renderer& renderer = **headless;
+  if (options.glInfo) printGlInfo(renderer.glInfo());
+  auto layers = renderLayers(renderer, *look, request, progress);
+  warnings = renderer.takeMessages();
+  printWarnings(warnings);
+  if (!layers) return tl::unexpected(layers.error());
+  const auto written = writePicture(renderer, *look, request, std::move(*layers));
+  if (!written) return tl::unexpected(written.error());
+  return kDone;
+}
+
+}  // namespace
+
+void addRender(CLI::App& root, Action& action) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = root.add_subcommand("render", "Render one still: PNG, JPEG, TIFF or EXR");
+  addLookOptions(*command, options->look);
+  command->add_option("--size", options->size, "Pixels, 1280x720 by default")->type_name("WxH");
+  command->add_option("--samples", options->samples, "Samples a pixel, 64 by default; 1 shades at the pixel's centre")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << 20));
+  command
+      ->add_option("--aov", options->aovs,
+                   "A further layer of an EXR: diffuse, specular, normal, occlusion, depth, profile_id; repeatable")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command->add_option("-o,--output", options->output, "The picture to write; its ending chooses the format")
+      ->type_name("OUT");
+  command->add_flag("--no-metadata", options->noMetadata,
+                    "Leave scene, inputs, version and GL renderer out of the file");
+  command->add_flag("--gl-info", options->glInfo, "Say which OpenGL draws; enough by itself");
+  command->footer(R"(
+Examples:
+  dermis render -o look.png
+  dermis render face.dermis --size 1920x1080 --samples 256 -o face.png
+  dermis render --model head.glb --environment studio.hdr --camera three-quarter -o head.png
+  dermis render --model head.glb --material builtin:skin-tone-3 --set specular.perceptual_roughness=0.35 -o skin.png
+  dermis render face.dermis --set face/subsurface.radius_mm=4,1.5,0.7 --view raw --aov normal -o face.exr
+
+Without SCENE and MODEL the embedded look is drawn. PNG, JPEG and TIFF go through the view; EXR with
+--view raw holds scene-linear Rec.709, alpha multiplied in. No display is needed.)");
+  command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+}  // namespace dermis::cli
