@@ -1,0 +1,22 @@
+// What every mesh needs before it can be shaded: normals, one vertex for equal corners, tangents.
+#pragma once
+
+#include "core/scene/model.h"
+#include "import/raw_mesh.h"
+
+namespace dermis::import {
+
+/// Fills in missing normals (zero or not finite): angle-weighted over all faces that share the position, across groups,
+/// materials and UV seams. Weights: Thürmer & Wüthrich 1998, "Computing Vertex Normals from Polygonal Facets".
+void completeNormals(RawMesh& mesh);
+
+/// Moves the mesh into the model: triangles without area dropped, equal vertices merged slot by slot, in the order of
+/// first use. Returns how many triangles were dropped.
+std::size_t weldInto(RawMesh&& mesh, Model& model);
+
+/// Completes tangents (w = 0 where there is none): along +u, bitangent w · cross(n, t) along +v, angle-weighted over
+/// the vertex's triangles; a vertex that mirrored UVs share is split. Without UVs, any frame about the normal. After
+/// Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", §3.3, but grouping by welded vertex.
+void completeTangents(Model& model);
+
+}  // namespace dermis::import

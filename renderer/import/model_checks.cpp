@@ -1,0 +1,94 @@
+#include "import/model_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "import/text.h"
+
+namespace dermis::import {
+namespace {
+
+constexpr int kDeepestNesting = 400;
+
+/// COLLADA and other XML: elements open inside each other.
+int xmlDepth(std::string_view text) {
+  int depth = 0, deepest = 0;
+  for (std::size_t at = text.find('<'); at != std::string_view::npos && at + 1 < text.size();
+       at = text.find('<', at + 1)) {
+    const char next = text[at + 1];
+    if (next == '/') {
+      --depth;
+    } else if (next != '!' && next != '?') {
+      const std::size_t end = text.find('>', at);
+      if (end == std::string_view::npos || text[end - 1] != '/') deepest = std::max(deepest, ++depth);
+    }
+  }
+  return deepest;
+}
+
+/// FBX as text, X files and the like: braces.
+int braceDepth(std::string_view text) {
+  int depth = 0, deepest = 0;
+  for (const char c : text) {
+    if (c == '{') deepest = std::max(deepest, ++depth);
+    if (c == '}') --depth;
+  }
+  return deepest;
+}
+
+/// The largest number after "element NAME" in a PLY header; 0 where there is none.
+std::uint64_t plyElements(std::string_view text) {
+  const std::string_view header = text.substr(0, std::min(text.find("end_header"), text.size()));
+  std::uint64_t largest = 0;
+  for (std::size_t at = header.find("element "); at != std::string_view::npos; at = header.find("element ", at + 8)) {
+    const std::size_t name = header.find_first_not_of(" \t", at + 8);
+    if (name == std::string_view::npos) break;
+    const std::size_t number =
+        header.find_first_not_of(" \t", std::min(header.find_first_of(" \t", name), header.size()));
+    if (number == std::string_view::npos) break;
+    std::uint64_t count = 0;
+    const auto [end, error] = std::from_chars(header.data() + number, header.data() + header.size(), count);
+    if (error == std::errc::result_out_of_range) count = ~std::uint64_t{0};
+    largest = std::max(largest, count);
+  }
+  return largest;
+}
+
+}  // namespace
+
+Result<void> checkModelBytes(std::string_view bytes, const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const std::string format = lowerCase(path.extension().string());
+  if (bytes.empty()) return inputError(fmt::format("{}: the model file is empty; export it again", name));
+  const bool text = bytes.substr(0, 1024).find('\0') == std::string_view::npos;
+  const int depth = format == ".dae" || format == ".x3d" || format == ".xml" || format == ".amf" ? xmlDepth(bytes)
+                    : text                                                                       ? braceDepth(bytes)
+                                                                                                 : 0;
+  if (depth > kDeepestNesting)
+    return inputError(fmt::format("{}: its elements lie {} levels deep in each other, past the limit of {}", name,
+                                  depth, kDeepestNesting));
+  if (format == ".ply") {
+    if (const std::uint64_t elements = plyElements(bytes); elements > bytes.size())
+      return inputError(
+          fmt::format("{}: the header promises {} elements, but the file holds only {} bytes; export it again", name,
+                      elements, bytes.size()));
+  }
+  return {};
+}
+
+Result<void> checkScene(const aiScene& scene, const std::string& name) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& mesh = *scene.mMeshes[m];
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+      for (unsigned i = 0; i < mesh.mFaces[f].mNumIndices; ++i)
+        if (mesh.mFaces[f].mIndices[i] >= mesh.mNumVertices)
+          return inputError(fmt::format(
+              "{}: face {} of mesh {} refers to vertex {}, but there are only {}; repair the model where it was made",
+              name, f, m, mesh.mFaces[f].mIndices[i], mesh.mNumVertices));
+  }
+  return {};
+}
+
+}  // namespace dermis::import

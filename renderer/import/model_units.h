@@ -1,0 +1,18 @@
+// How long a model's unit is.
+#pragma once
+
+#include <assimp/scene.h>
+
+#include <string>
+#include <string_view>
+
+#include "core/scene/model.h"
+
+namespace dermis::import {
+
+/// Sets Model::millimetresPerUnit and unitSource: glTF's metre, FBX's and COLLADA's own unit, else a guess from the
+/// model's extent, which is taken for that of a head or bust. `format` is the file's lower-case extension; `text` the
+/// file's bytes (COLLADA states its unit there).
+void findUnit(Model& model, const aiScene& scene, const std::string& format, std::string_view text);
+
+}  // namespace dermis::import
