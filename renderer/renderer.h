@@ -18,9 +18,7 @@
 namespace dermis {
 
 /// Images of the frame that can be looked at or saved by name. Aov::Beauty is the picture.
-enum class Aov {
-  Beauty, Diffuse, Specular, Normal, Occlusion, Depth, ProfileId
-};
+enum class Aov { Beauty, Diffuse, Specular, Normal, Occlusion, Depth, ProfileId };
 [[nodiscard]] std::string_view toString(Aov aov);  ///< "beauty", "diffuse", …, "profile_id"
 [[nodiscard]] std::vector<Aov> allAovs();
 
@@ -34,6 +32,7 @@ struct RendererOptions {
   std::filesystem::path cacheFolder;  ///< for baked environments; empty: no disk cache
   bool failOnGlError = false;         ///< tests: any GL error or high-severity debug message is recorded as a failure
   std::string platform = "widget";
+  int maximumTextureSize = 0;  ///< larger maps are averaged down, with a message; 0: what the driver takes
 };
 
 /// One frame to draw.
@@ -46,7 +45,8 @@ struct FrameRequest {
   int targetSamples = 64;
   bool exactDisplay = false;  ///< exports: OCIO's exact program rather than the baked LUT
   double seconds = 0.0;       ///< time for the lights' animation
-  unsigned framebuffer = 0;   ///< GL framebuffer to put the displayed picture in
+  unsigned framebuffer = 0;   ///< GL framebuffer to put the displayed picture in; 0 without a window: none
+  glm::ivec2 displaySize{0};  ///< of that framebuffer, where the picture is drawn smaller and enlarged; 0: size
 };
 
 /// Counters of what was really done, for tests and the statistics line; cumulative since create().
@@ -80,8 +80,8 @@ class Renderer {
   /// Forgets accumulated samples.
   virtual void restartAccumulation() = 0;
 
-  /// Runs queued GPU jobs (environment bakes, program warm-up) for about `budgetMs`, at least one slice; true while some are left. The last complete
-  /// environment stays in use until the next one is complete.
+  /// Runs queued GPU jobs (environment bakes, program warm-up) for about `budgetMs`, at least one slice; true while
+  /// some are left. The last complete environment stays in use until the next one is complete.
   virtual bool runJobs(double budgetMs) = 0;
   /// 0..1 of the job in progress and what it is; empty text when idle.
   [[nodiscard]] virtual std::pair<std::string, double> jobProgress() const = 0;
@@ -97,7 +97,7 @@ class Renderer {
   /// The accumulated beauty through the request's view, U8 or U16 RGBA, alpha unassociated, top row first.
   [[nodiscard]] virtual Image readDisplay(const ViewSettings& view, PixelType type) = 0;
 
-  /// World position under a pixel of the last frame; nothing where there is only sky.
+  /// World position under a pixel (counted from the top left) of the last frame; nothing where there is only sky.
   [[nodiscard]] virtual std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) = 0;
 
   [[nodiscard]] virtual const GlInfo& glInfo() const = 0;

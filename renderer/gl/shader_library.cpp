@@ -198,7 +198,10 @@ Result<void> ShaderLibrary::build(Program& program) {
 }
 
 Result<const Program*> ShaderLibrary::program(const ProgramSources& sources) {
-  if (const auto it = m_programs.find(sources); it != m_programs.end()) return it->second.get();
+  if (const auto it = m_programs.find(sources); it != m_programs.end()) {
+    if (!it->second->m_handle) return runtimeError(it->second->m_error);
+    return it->second.get();
+  }
   auto program = std::make_unique<Program>();
   program->m_sources = sources;
   auto built = build(*program);
@@ -209,8 +212,10 @@ Result<const Program*> ShaderLibrary::program(const ProgramSources& sources) {
       if (!missing) m_seen[file] = time;
     }
   }
+  if (!built) program->m_error = built.error().message;
+  const Program* result = m_programs.emplace(sources, std::move(program)).first->second.get();
   if (!built) return tl::unexpected(built.error());
-  return m_programs.emplace(sources, std::move(program)).first->second.get();
+  return result;
 }
 
 bool ShaderLibrary::reloadChanged(Warnings& messages) {
@@ -238,8 +243,10 @@ bool ShaderLibrary::reloadChanged(Warnings& messages) {
       replaced = true;
     } else {
       program->m_files.insert(before.begin(), before.end());
+      const bool hasGood = static_cast<bool>(program->m_handle);
+      if (!hasGood) program->m_error = built.error().message;
       if (said.insert(built.error().message).second)
-        messages.push_back(built.error().message + " (the last good program stays)");
+        messages.push_back(built.error().message + (hasGood ? " (the last good program stays)" : ""));
     }
   }
   return replaced;

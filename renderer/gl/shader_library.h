@@ -38,6 +38,7 @@ class Program {
  private:
   friend class ShaderLibrary;
   ProgramHandle m_handle;
+  std::string m_error;  ///< of a first build that failed; compiled again only when a file changes
   ProgramSources m_sources;
   std::set<std::string> m_files;  ///< all that were read, includes too
   mutable std::map<std::string, GLint, std::less<>> m_uniforms;
@@ -52,7 +53,8 @@ class ShaderLibrary {
   /// For tests: reads from `folder` first, the binary after.
   explicit ShaderLibrary(std::filesystem::path folder);
 
-  /// The program, compiled at the first call. Errors: Runtime, "surface.frag:12: …" as the compiler said.
+  /// The program, compiled at the first call. Errors: Runtime, "surface.frag:12: …" as the compiler said; the same
+  /// again at later calls without another try, until reloadChanged() finds an edit.
   [[nodiscard]] Result<const Program*> program(const ProgramSources& sources);
   /// Whether program() would return at once.
   [[nodiscard]] bool has(const ProgramSources& sources) const { return m_programs.contains(sources); }

@@ -9,5 +9,5 @@ struct MapData {
 
 layout(std140, binding = 2) uniform DrawBlock {
   MapData u_maps[13];  // by TextureSlot
-  ivec4 u_map_bits;    // x present, y flip green, each a bit a slot; z 1 if the mesh has texture coordinates
+  ivec4 u_map_bits;    // x present, y flip green, each a bit a slot; z 1 if the mesh has texture coordinates; w profile id
 };

@@ -1,13 +1,7 @@
 // What every shader of a frame knows: camera, environment, lights. C++ twin: FrameBlock in renderer/passes/uniform_blocks.h.
 
-const int LIGHT_POINT = 0;
-const int LIGHT_DIRECTIONAL = 1;
-const int LIGHT_SPOT = 2;
-const int LIGHT_SPHERE = 3;
-const int LIGHT_RECT = 4;
-
 struct LightData {
-  vec4 position_type;    // xyz world, scene units; w one of LIGHT_*
+  vec4 position_type;    // xyz world, scene units; w the type, see lights.glsl
   vec4 direction_outer;  // xyz unit, the way the light travels; w cosine of the spot's outer half angle
   vec4 radiant_inner;    // rgb color * intensity; w cosine of the spot's inner half angle
   vec4 size;             // x radius, yz half sizes of a rect; scene units
@@ -21,7 +15,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 u_camera_position;  // xyz world; w 1 for an orthographic camera
   vec4 u_camera_forward;   // xyz unit, the way the camera looks
   mat4 u_environment_from_world;  // rotation
-  vec4 u_environment_scale;       // x 2^exposure
+  vec4 u_environment_scale;       // x 2^exposure times what the stored maps are scaled by
   vec4 u_viewport;                // width, height, 1/width, 1/height
   ivec4 u_light_count;            // x
   vec4 u_units;                   // x millimetres per scene unit

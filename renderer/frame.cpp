@@ -1,0 +1,278 @@
+// The frame, top to bottom: Frame::draw first, then what it calls, then reading back.
+#include "frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lighting/environment_map.h"
+#include "passes/accumulate_pass.h"
+#include "passes/read_back.h"
+#include "passes/sky_pass.h"
+#include "passes/surface_pass.h"
+
+namespace dermis {
+
+namespace {
+
+/// Back to what OpenGL starts with, so that a host that draws after us finds what it expects.
+void restoreDefaults(GLuint framebuffer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glUseProgram(0);
+  glBindVertexArray(0);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ZERO);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glCullFace(GL_BACK);
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+bool canShow(GLuint framebuffer) {
+  // Without a window the default framebuffer doesn't exist: nothing is shown, the picture is read back instead.
+  return glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+std::vector<glm::vec3> visibleLampPositions(const ResolvedScene& scene, double seconds) {
+  std::vector<glm::vec3> positions;
+  for (const Light& light : scene.scene.lights)
+    if (light.enabled && light.visible && light.type != LightType::Directional)
+      positions.push_back(animated(light, seconds).position);
+  return positions;
+}
+
+}  // namespace
+
+Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software)
+    : m_shaders(shaders),
+      m_messages(messages),
+      m_software(software),
+      m_noVertices(gl::VertexArray::create("no vertices")),
+      m_frameBlockBuffer(gl::Buffer::writable("frame block", sizeof(FrameBlock))) {}
+
+bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
+                 RenderStatistics& statistics) {
+  const ResolvedScene* scene = resources.scene();
+  if (scene == nullptr || !scene->model || request.size.x < 1 || request.size.y < 1) return false;
+
+  // Which images: the picture, what is kept of it, what is looked at. A moving picture on a GPU has four samples a
+  // pixel.
+  const SceneImages images =
+      request.moving ? kBeautyOnly | bitOf(sceneImageOf(request.aov)) : m_kept | bitOf(sceneImageOf(request.aov));
+  const bool multisampled = request.moving && !m_software && images == kBeautyOnly;
+  auto prepared = m_targets.prepare(request.size, images, request.exactDisplay, multisampled);
+  if (!prepared) {
+    m_messages.say(prepared.error().message);
+    return false;
+  }
+  if (*prepared) m_samples = 0;
+
+  // A still picture converges as long as nothing that it shows changes.
+  const bool animates = std::any_of(scene->scene.lights.begin(), scene->scene.lights.end(), isAnimated);
+  const StillKey key{request.size, request.camera, images, request.exactDisplay, animates ? request.seconds : 0.0,
+                     revision};
+  if (request.moving || !(key == m_stillKey)) m_samples = 0;
+  m_stillKey = key;
+  m_targetSamples = std::max(request.targetSamples, 1);
+  const bool drawsSample = request.moving || accumulating();
+
+  const glm::vec2 jitter = request.moving ? glm::vec2(0.0F) : pixelJitter(m_samples);
+  const std::vector<glm::vec3> lamps = visibleLampPositions(*scene, request.seconds);
+  FrameContext frame{request,
+                     *scene,
+                     resources,
+                     m_targets,
+                     m_shaders,
+                     m_messages,
+                     cameraMatrices(request.camera, scene->model->bounds, request.size, jitter, lamps),
+                     multisampled};
+  m_timer.beginFrame();
+  m_noVertices.bind();
+
+  if (drawsSample) {
+    // Reversed depth in 0..1: see cameraMatrices.
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    uploadFrameBlock(frame, statistics);
+    resources.bindLight();
+    clear(frame);
+    {
+      const auto timed = m_timer.pass("surface");
+      surfacePass(frame);
+    }
+    m_noVertices.bind();
+    {
+      const auto timed = m_timer.pass("sky");
+      m_targets.drawToBeauty();
+      skyPass(frame);
+      if (hasVisibleLamps(*scene)) lampPass(frame);
+    }
+    if (hasTransparentParts(resources)) {
+      const auto timed = m_timer.pass("transparent");
+      m_targets.drawToRadiance();
+      transparentPass(frame);
+      m_noVertices.bind();
+    }
+    if (multisampled) {
+      const auto timed = m_timer.pass("resolve");
+      const glm::ivec2 size = request.size;
+      glBlitNamedFramebuffer(m_targets.multisampled().id(), m_targets.scene().id(), 0, 0, size.x, size.y, 0, 0, size.x,
+                             size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    m_lastCamera = frame.camera;
+    m_lastMultisampled = multisampled;
+    ++statistics.frames;
+  }
+
+  if (!request.moving && drawsSample) {
+    const auto timed = m_timer.pass("accumulate");
+    if (auto sums = m_targets.prepareSums(); !sums) {
+      m_messages.say(sums.error().message);
+      return false;
+    }
+    accumulatePass(frame, m_samples == 0);
+    ++m_samples;
+  }
+
+  if (canShow(request.framebuffer)) {
+    const auto timed = m_timer.pass("display");
+    show(frame, !request.moving);
+  }
+  statistics.samples = request.moving ? 1 : m_samples;
+  statistics.targetSamples = m_targetSamples;
+  restoreDefaults(request.framebuffer);
+  return true;
+}
+
+void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics) {
+  FrameBlock block;
+  const CameraMatrices& camera = frame.camera;
+  block.view = camera.view;
+  block.projection = camera.projection;
+  block.viewProjection = camera.viewProjection;
+  block.inverseViewProjection = camera.inverseViewProjection;
+  block.cameraPosition = {camera.position, camera.orthographic ? 1.0F : 0.0F};
+  block.cameraForward = {camera.forward, 0.0F};
+  const EnvironmentSource& environment = frame.scene.scene.environment;
+  block.environmentFromWorld = environmentFromWorld(environment.rotationDegrees);
+  const EnvironmentMap* map = frame.resources.environment();
+  block.environmentScale.x = map != nullptr ? std::exp2(environment.exposureStops) * map->scale() : 0.0F;
+  const glm::vec2 size(frame.request.size);
+  block.viewport = {size, 1.0F / size};
+  block.units.x = frame.scene.millimetresPerUnit;
+  packLights(block, frame.scene.scene.lights, frame.scene.millimetresPerUnit, frame.request.seconds);
+
+  const auto bytes = bytesOf(block);
+  if (!std::ranges::equal(bytes, m_frameBlockBytes)) {
+    m_frameBlockBuffer.update(0, bytes);
+    m_frameBlockBytes.assign(bytes.begin(), bytes.end());
+    ++statistics.uniformBlocksUploaded;
+  }
+  m_frameBlockBuffer.bindUniform(kFrameBinding);
+}
+
+void Frame::clear(const FrameContext& frame) const {
+  const glm::vec4 background = backgroundClearColour(frame);
+  const std::array<GLfloat, 4> zero = {0.0F, 0.0F, 0.0F, 0.0F};
+  const GLfloat farthest = 0.0F;
+  glDepthMask(GL_TRUE);
+  const gl::Framebuffer& target = frame.multisampled ? m_targets.multisampled() : m_targets.scene();
+  if (!frame.multisampled) m_targets.drawToAll();
+  target.bind();
+  glViewport(0, 0, frame.request.size.x, frame.request.size.y);
+  glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
+  glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, &background[0]);
+  if (frame.multisampled) return;
+  for (std::size_t i = 1; i < kSceneImageCount; ++i)
+    if ((m_targets.images() & (1U << i)) != 0)
+      glClearNamedFramebufferfv(target.id(), GL_COLOR, static_cast<GLint>(i), zero.data());
+}
+
+void Frame::show(const FrameContext& frame, bool fromSums) {
+  const FrameRequest& request = frame.request;
+  const SceneImage which = sceneImageOf(request.aov);
+  const gl::Texture& image = fromSums ? m_targets.sum(which) : m_targets.image(which);
+  const glm::ivec2 size = request.displaySize.x > 0 && request.displaySize.y > 0 ? request.displaySize : request.size;
+  glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);
+
+  if (which == SceneImage::Normal || which == SceneImage::Data || which == SceneImage::ProfileId) {
+    const Bounds& bounds = frame.scene.model->bounds;
+    const float middle = glm::dot(bounds.centre() - frame.camera.position, frame.camera.forward);
+    DisplayPass::drawData(frame, request.aov, image, {middle - bounds.radius(), middle + bounds.radius()}, size);
+    return;
+  }
+  DisplayInput input;
+  input.image = &image;
+  input.weight = fromSums ? 1.0F / static_cast<float>(std::max(m_samples, 1)) : 1.0F;
+  input.exact = request.exactDisplay;
+  // Until a still picture has enough samples of its own to be smooth, it is smoothed like a moving one: no flicker at
+  // rest.
+  constexpr int kSmoothSamples = 4;
+  input.edgeFilter = !request.exactDisplay && (request.moving ? m_software : m_samples < kSmoothSamples);
+  input.dither = true;
+  m_display.draw(m_shaders, m_messages, request.view, input, size);
+}
+
+// ---- reading back
+
+Image Frame::readAov(Aov aov) const {
+  const SceneImage which = sceneImageOf(aov);
+  const bool kept = (m_targets.images() & bitOf(which)) != 0 && m_targets.sum(which);
+  if (!kept || m_samples == 0) return blackAov(aov, m_targets.size());
+  return aovFromSums(aov, m_targets.sum(which), m_samples);
+}
+
+Image Frame::readDisplay(const ViewSettings& view, PixelType type) {
+  const glm::ivec2 size = glm::max(m_targets.size(), glm::ivec2(1));
+  const bool wide = type != PixelType::U8;
+  if (m_samples == 0 || !m_targets.sum(SceneImage::Beauty)) return blackDisplay(size, wide);
+  const gl::Texture target = gl::Texture::create({.format = wide ? GLenum{GL_RGBA16} : GLenum{GL_RGBA8},
+                                                  .width = size.x,
+                                                  .height = size.y,
+                                                  .label = "encoded picture"});
+  const gl::Framebuffer framebuffer = gl::Framebuffer::create("encoded picture");
+  framebuffer.attachColour(0, target);
+  framebuffer.drawTo(1);
+  framebuffer.bind();
+  m_noVertices.bind();
+  DisplayInput input;
+  input.image = &m_targets.sum(SceneImage::Beauty);
+  input.weight = 1.0F / static_cast<float>(m_samples);
+  input.exact = true;
+  input.straightAlpha = true;
+  m_display.draw(m_shaders, m_messages, view, input, size);
+  Image image = displayFromTexture(target, wide);
+  restoreDefaults(0);
+  return image;
+}
+
+std::optional<glm::vec3> Frame::pickPosition(glm::ivec2 pixel) const {
+  const glm::ivec2 size = m_targets.size();
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
+  const int row = size.y - 1 - pixel.y;
+  if (m_lastMultisampled) {
+    // One sample of each pixel is enough to point at something.
+    glBlitNamedFramebuffer(m_targets.multisampled().id(), m_targets.scene().id(), 0, 0, size.x, size.y, 0, 0, size.x,
+                           size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
+  m_targets.scene().bind();
+  GLfloat depth = 0.0F;
+  glReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (depth <= 0.0F) return std::nullopt;  // the far plane of the reversed depth
+  const glm::vec2 clip = (glm::vec2(pixel.x, row) + 0.5F) / glm::vec2(size) * 2.0F - 1.0F;
+  const glm::vec4 world = m_lastCamera.inverseViewProjection * glm::vec4(clip, depth, 1.0F);
+  return glm::vec3(world) / world.w;
+}
+
+std::vector<PassTime> Frame::passTimes() {
+  m_timer.finish();
+  std::vector<PassTime> times;
+  for (const gl::TimedPass& pass : m_timer.passes()) times.push_back({pass.name, pass.gpuMs, pass.cpuMs});
+  return times;
+}
+
+}  // namespace dermis

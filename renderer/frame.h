@@ -1,0 +1,70 @@
+// The frame: read frame.cpp from top to bottom.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gl/gl_objects.h"
+#include "gl/gpu_timer.h"
+#include "gl/shader_library.h"
+#include "passes/display_pass.h"
+#include "passes/frame_context.h"
+#include "passes/render_targets.h"
+#include "passes/scene_resources.h"
+#include "renderer.h"
+
+namespace dermis {
+
+class Frame {
+ public:
+  Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software);
+
+  /// One frame, or one more sample of a still picture. `revision` changes with whatever changes the picture but camera,
+  /// size and time. False where nothing can be drawn.
+  bool draw(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
+            RenderStatistics& statistics);
+
+  void restart() { m_samples = 0; }
+  [[nodiscard]] bool accumulating() const { return m_samples < m_targetSamples; }
+  void keep(SceneImages images) { m_kept = images | kBeautyOnly; }
+
+  [[nodiscard]] Image readAov(Aov aov) const;
+  [[nodiscard]] Image readDisplay(const ViewSettings& view, PixelType type);
+  [[nodiscard]] std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) const;
+  [[nodiscard]] std::vector<PassTime> passTimes();
+  [[nodiscard]] std::uint64_t displayProgramsBuilt() const { return m_display.built(); }
+
+ private:
+  /// What a still picture depends on: when any of it changes, its samples start again.
+  struct StillKey {
+    glm::ivec2 size{0};
+    Camera camera;
+    SceneImages images = 0;
+    bool precise = false;
+    double seconds = 0.0;
+    std::uint64_t revision = 0;
+    bool operator==(const StillKey&) const = default;
+  };
+
+  void uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
+  void clear(const FrameContext& frame) const;
+  void show(const FrameContext& frame, bool fromSums);
+
+  gl::ShaderLibrary& m_shaders;
+  MessageLog& m_messages;
+  bool m_software;
+  RenderTargets m_targets;
+  DisplayPass m_display;
+  gl::GpuTimer m_timer;
+  gl::VertexArray m_noVertices;
+  gl::Buffer m_frameBlockBuffer;
+  std::vector<std::byte> m_frameBlockBytes;
+  StillKey m_stillKey;
+  SceneImages m_kept = kBeautyOnly;
+  int m_samples = 0;  ///< in the sums
+  int m_targetSamples = 1;
+  CameraMatrices m_lastCamera;
+  bool m_lastMultisampled = false;
+};
+
+}  // namespace dermis

@@ -1,0 +1,71 @@
+#include "passes/camera_matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace dermis {
+
+glm::vec2 pixelJitter(int index) {
+  // Powers of the plastic number's inverse; doubles, so that the ten-thousandth sample is as good as the first.
+  constexpr double kA1 = 0.7548776662466927;
+  constexpr double kA2 = 0.5698402909980532;
+  const double x = 0.5 + kA1 * index;
+  const double y = 0.5 + kA2 * index;
+  return {static_cast<float>(x - std::floor(x) - 0.5), static_cast<float>(y - std::floor(y) - 0.5)};
+}
+
+CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, glm::ivec2 size, glm::vec2 jitter,
+                              std::span<const glm::vec3> extra) {
+  CameraMatrices m;
+  const glm::vec3 towards = camera.target - camera.position;
+  m.position = camera.position;
+  m.forward = glm::dot(towards, towards) > 0.0F ? glm::normalize(towards) : glm::vec3(0.0F, 0.0F, -1.0F);
+  // An `up` along the view has no sideways part: take another axis.
+  glm::vec3 up = camera.up;
+  if (glm::length(glm::cross(m.forward, up)) < 1e-6F * std::max(glm::length(up), 1e-6F))
+    up = std::abs(m.forward.y) > 0.9F ? glm::vec3(0.0F, 0.0F, -1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
+  m.view = glm::lookAt(camera.position, camera.position + m.forward, up);
+
+  const float aspect = static_cast<float>(size.x) / static_cast<float>(std::max(size.y, 1));
+  const float radius = std::max(bounds.radius(), 1e-6F);
+  const float distance = glm::dot(bounds.centre() - camera.position, m.forward);
+  glm::mat4 p(0.0F);
+  if (camera.orthographicHeight) {
+    m.orthographic = true;
+    float near = distance - radius;
+    float far = distance + radius;
+    for (const glm::vec3& point : extra) {
+      const float d = glm::dot(point - camera.position, m.forward);
+      near = std::min(near, d - 0.1F * radius);
+      far = std::max(far, d + 0.1F * radius);
+    }
+    // A margin keeps what lies on the sphere itself; an orthographic camera sees behind its position too.
+    const float margin = 0.01F * (far - near);
+    near -= margin;
+    far += margin;
+    const float halfHeight = 0.5F * std::max(*camera.orthographicHeight, 1e-6F);
+    p[0][0] = 1.0F / (halfHeight * aspect);
+    p[1][1] = 1.0F / halfHeight;
+    p[2][2] = 1.0F / (far - near);
+    p[3][2] = far / (far - near);
+    p[3][3] = 1.0F;
+    m.near = near;
+  } else {
+    // Near enough to fly between the lashes, far enough for the depth of a float.
+    m.near = std::max(0.5F * (distance - radius), 1e-3F * radius);
+    const float f = 1.0F / std::tan(0.5F * glm::radians(std::clamp(camera.verticalFovDegrees, 0.01F, 179.0F)));
+    p[0][0] = f / aspect;
+    p[1][1] = f;
+    p[2][3] = -1.0F;
+    p[3][2] = m.near;
+  }
+  // Moving the picture by whole clip units: a pixel is 2/size of them.
+  const glm::vec2 shift = 2.0F * jitter / glm::vec2(size);
+  m.projection = glm::translate(glm::mat4(1.0F), glm::vec3(shift, 0.0F)) * p;
+  m.viewProjection = m.projection * m.view;
+  m.inverseViewProjection = glm::inverse(m.viewProjection);
+  return m;
+}
+
+}  // namespace dermis

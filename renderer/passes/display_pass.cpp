@@ -1,0 +1,138 @@
+#include "passes/display_pass.h"
+
+#include <cmath>
+
+namespace dermis {
+
+namespace {
+
+constexpr GLuint kImageUnit = 0;
+constexpr GLuint kFirstViewUnit = 1;  // of the LUT, or of an exact program's textures
+
+}  // namespace
+
+DisplayPass::View* DisplayPass::viewFor(const ViewSettings& settings, MessageLog& messages) {
+  const auto key = std::pair(settings.display, settings.transform);
+  if (const auto it = m_views.find(key); it != m_views.end()) return it->second.transform ? &it->second : nullptr;
+  Warnings warnings;
+  auto made = DisplayTransform::create(settings.display, settings.transform, warnings);
+  for (const std::string& warning : warnings) messages.say(warning);
+  View& view = m_views[key];  // a view that fails is remembered too: it is not tried every frame
+  if (!made) {
+    messages.say(made.error().message);
+    return nullptr;
+  }
+  view.transform = *made;
+  ++m_built;
+  return &view;
+}
+
+void DisplayPass::prepareExact(View& view) {
+  if (view.exactReady) return;
+  for (const DisplayTexture& source : view.transform->exactProgram().textures) {
+    const GLenum target = source.dimensions == 3   ? GL_TEXTURE_3D
+                          : source.dimensions == 2 ? GL_TEXTURE_2D
+                                                   : GL_TEXTURE_1D;
+    gl::Texture texture = gl::Texture::create({.target = target,
+                                               .format = source.channels == 1 ? GLenum{GL_R32F} : GLenum{GL_RGB32F},
+                                               .width = source.width,
+                                               .height = source.height,
+                                               .depth = source.depth,
+                                               .label = source.samplerName});
+    const GLenum format = source.channels == 1 ? GL_RED : GL_RGB;
+    if (source.dimensions == 3)
+      texture.uploadAll(0, format, GL_FLOAT, source.values.data());
+    else
+      texture.upload(0, format, GL_FLOAT, source.values.data());
+    if (source.nearest) texture.setFilter(GL_NEAREST, GL_NEAREST);
+    view.textures.push_back(std::move(texture));
+  }
+  view.exactReady = true;
+}
+
+void DisplayPass::prepareLut(View& view) {
+  if (view.lut) return;
+  const DisplayLut& lut = view.transform->lut();
+  view.lut = gl::Texture::create({.target = GL_TEXTURE_3D,
+                                  .format = GL_RGBA16F,
+                                  .width = lut.edge,
+                                  .height = lut.edge,
+                                  .depth = lut.edge,
+                                  .label = "display LUT"});
+  view.lut.uploadAll(0, GL_RGB, GL_FLOAT, lut.rgb.data());
+}
+
+bool DisplayPass::draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& settings,
+                       const DisplayInput& input, glm::ivec2 size) {
+  View* view = viewFor(settings, messages);
+  if (view == nullptr) return false;
+  const bool exact = input.exact || view->transform->isSimple();
+  const glm::ivec2 imageSize(input.image->width(), input.image->height());
+
+  gl::ProgramSources sources;
+  sources.vertex = "full_screen.vert";
+  sources.fragment = "display.frag";
+  if (exact) {
+    sources.defines.emplace_back("DERMIS_EXACT");
+    sources.generated["generated/display_exact.glsl"] = view->transform->exactProgram().glsl;
+    prepareExact(*view);
+  } else {
+    sources.generated["generated/display_baked.glsl"] = displayBakedGlsl(kFirstViewUnit);
+    prepareLut(*view);
+  }
+  if (input.edgeFilter) sources.defines.emplace_back("DERMIS_EDGE_FILTER");
+  if (size != imageSize) sources.defines.emplace_back("DERMIS_SCALED");
+  auto found = shaders.program(sources);
+  if (!found) {
+    messages.say(found.error().message);
+    return false;
+  }
+  const gl::Program& program = **found;
+  program.use();
+  input.image->bind(kImageUnit);
+  if (exact) {
+    GLuint unit = kFirstViewUnit;
+    for (std::size_t i = 0; i < view->textures.size(); ++i, ++unit) {
+      glUniform1i(program.uniform(view->transform->exactProgram().textures[i].samplerName), static_cast<GLint>(unit));
+      view->textures[i].bind(unit);
+    }
+  } else {
+    view->lut.bind(kFirstViewUnit);
+  }
+  const bool raw = view->transform->isRaw();
+  glUniform1f(program.uniform("u_weight"), input.weight);
+  glUniform1f(program.uniform("u_exposure"), raw ? 1.0F : std::exp2(settings.exposureStops));
+  glUniform1f(program.uniform("u_dither"), input.dither && !raw ? 1.0F / 255.0F : 0.0F);
+  glUniform1i(program.uniform("u_alpha_mode"), input.straightAlpha ? 1 : 0);
+  const glm::vec2 scale = glm::vec2(imageSize) / glm::vec2(size);
+  glUniform4f(program.uniform("u_source"), scale.x, scale.y, static_cast<float>(imageSize.x),
+              static_cast<float>(imageSize.y));
+  glViewport(0, 0, size.x, size.y);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  gl::drawFullScreen();
+  return true;
+}
+
+void DisplayPass::drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, glm::vec2 depthRange,
+                           glm::ivec2 size) {
+  gl::ProgramSources sources;
+  sources.vertex = "full_screen.vert";
+  sources.fragment = "aov.frag";
+  const gl::Program* program = frame.useProgram(sources);
+  if (program == nullptr) return;
+  const int kind = aov == Aov::Normal ? 0 : aov == Aov::Occlusion ? 1 : aov == Aov::Depth ? 2 : 3;
+  sums.bind(kImageUnit);
+  const glm::vec2 scale = glm::vec2(sums.width(), sums.height()) / glm::vec2(size);
+  glUniform1i(program->uniform("u_kind"), kind);
+  glUniform2f(program->uniform("u_range"), depthRange.x, depthRange.y);
+  glUniform2f(program->uniform("u_scale"), scale.x, scale.y);
+  glViewport(0, 0, size.x, size.y);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  gl::drawFullScreen();
+}
+
+}  // namespace dermis

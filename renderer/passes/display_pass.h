@@ -1,0 +1,55 @@
+// The picture on a display: exposure, view transform, dither.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "colour/display_transform.h"
+#include "gl/gl_objects.h"
+#include "gl/shader_library.h"
+#include "passes/frame_context.h"
+
+namespace dermis {
+
+/// What is shown, and how.
+struct DisplayInput {
+  const gl::Texture* image = nullptr;  ///< premultiplied scene-linear radiance, a sum of samples
+  float weight = 1.0F;                 ///< 1 / samples
+  bool exact = false;                  ///< the view's own program rather than the baked LUT
+  bool edgeFilter = false;
+  bool straightAlpha = false;  ///< unassociated, for files; else premultiplied, for windows
+  bool dither = false;         ///< for 8-bit targets
+};
+
+/// Keeps the views in use ready: their programs' text and textures.
+class DisplayPass {
+ public:
+  /// Draws into the framebuffer that is bound, `size` pixels of it. Raw is drawn as it is: no exposure, no dither.
+  /// False (and a message) where the view can't be made.
+  bool draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& view, const DisplayInput& input,
+            glm::ivec2 size);
+
+  /// Shows an image that is not radiance.
+  static void drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, glm::vec2 depthRange,
+                       glm::ivec2 size);
+
+  [[nodiscard]] std::uint64_t built() const { return m_built; }
+
+ private:
+  struct View {
+    std::shared_ptr<const DisplayTransform> transform;
+    gl::Texture lut;
+    std::vector<gl::Texture> textures;  ///< of the exact program
+    bool exactReady = false;
+  };
+  View* viewFor(const ViewSettings& settings, MessageLog& messages);
+  static void prepareExact(View& view);
+  static void prepareLut(View& view);
+
+  std::map<std::pair<std::string, std::string>, View> m_views;  ///< by display and view as asked for
+  std::uint64_t m_built = 0;
+};
+
+}  // namespace dermis

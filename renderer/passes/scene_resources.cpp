@@ -1,0 +1,197 @@
+#include "passes/scene_resources.h"
+
+#include <algorithm>
+
+#include "core/material/parameter_table.h"
+
+namespace dermis {
+
+namespace {
+
+bool sameEnvironment(const std::shared_ptr<const EnvironmentImages>& a,
+                     const std::shared_ptr<const EnvironmentImages>& b) {
+  if (a == b) return true;
+  return a && b && a->contentHash != 0 && a->contentHash == b->contentHash && a->constant == b->constant;
+}
+
+DrawKind drawKindOf(const Material& material) {
+  if (material.model == ShadingModel::Lens)
+    return material.parameters.lensSeedBlending ? DrawKind::SeedBlended : DrawKind::Blended;
+  if (material.model == ShadingModel::MetallicRoughness &&
+      material.parameters.metallicRoughnessAlphaMode == AlphaMode::Blend)
+    return DrawKind::Blended;
+  return DrawKind::Opaque;
+}
+
+/// glTF asks for culling unless a material is double-sided; a lens is a shell whose far side is not seen. Everything
+/// else draws both sides: scans have holes.
+bool cullsBackFaces(const Material& material) {
+  if (material.model == ShadingModel::Lens) return true;
+  return material.model == ShadingModel::MetallicRoughness && !material.parameters.metallicRoughnessDoubleSided;
+}
+
+/// Light that enters spreads: the slot's number, from 1; 0 for materials without diffusion.
+int profileIdOf(const Material& material, std::size_t slot) {
+  const bool diffuses = material.model == ShadingModel::Skin || material.model == ShadingModel::Eye;
+  return diffuses ? static_cast<int>(slot) + 1 : 0;
+}
+
+}  // namespace
+
+bool samePicture(const ResolvedScene& a, const ResolvedScene& b) {
+  if (a.model != b.model || a.millimetresPerUnit != b.millimetresPerUnit || a.slots.size() != b.slots.size())
+    return false;
+  if (!sameEnvironment(a.environment, b.environment)) return false;
+  const EnvironmentSource& ea = a.scene.environment;
+  const EnvironmentSource& eb = b.scene.environment;
+  if (ea.rotationDegrees != eb.rotationDegrees || ea.exposureStops != eb.exposureStops ||
+      ea.background != eb.background)
+    return false;
+  if (a.scene.lights != b.scene.lights) return false;
+  return std::equal(
+      a.slots.begin(), a.slots.end(), b.slots.begin(), [](const ResolvedMaterial& x, const ResolvedMaterial& y) {
+        return x.images == y.images && x.material.model == y.material.model &&
+               x.material.parameters == y.material.parameters && x.material.textures == y.material.textures;
+      });
+}
+
+SceneResources::SceneResources(const RendererOptions& options, bool software)
+    : m_options(options),
+      m_software(software),
+      m_textures(options.maximumTextureSize, software ? 8.0F : 16.0F),
+      m_dfg(DfgTables::create()) {
+  m_canSkipDecode = epoxy_has_gl_extension("GL_EXT_texture_sRGB_decode");
+  m_rawSampler = gl::Sampler::create("without sRGB decoding");
+  const GLuint sampler = m_rawSampler.id();
+  glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  if (m_canSkipDecode) glSamplerParameteri(sampler, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
+  GLfloat most = 1.0F;
+  glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
+  glSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY, std::min(software ? 8.0F : 16.0F, most));
+
+  // Bound while there is no environment: reading an unbound unit is defined, but drivers complain.
+  const std::vector<float> black(6 * 4, 0.0F);
+  m_blackCube = gl::Texture::create({.target = GL_TEXTURE_CUBE_MAP, .label = "no environment"});
+  m_blackCube.uploadAll(0, GL_RGBA, GL_FLOAT, black.data());
+  m_blackCubes = gl::Texture::create({.target = GL_TEXTURE_CUBE_MAP_ARRAY, .label = "no environment, prefiltered"});
+  m_blackCubes.uploadAll(0, GL_RGBA, GL_FLOAT, black.data());
+}
+
+bool SceneResources::setScene(std::shared_ptr<const ResolvedScene> scene, gl::JobQueue& jobs) {
+  if (scene == m_scene) return false;
+  const bool changed = !m_scene || !scene || !samePicture(*m_scene, *scene);
+  m_scene = std::move(scene);
+  m_stale = true;
+  if (!m_scene || !m_scene->environment) return changed;
+
+  if (!sameEnvironment(m_scene->environment, m_wantedEnvironment)) {
+    m_wantedEnvironment = m_scene->environment;
+    if (sameEnvironment(m_wantedEnvironment, m_environmentOf)) {
+      jobs.cancel("environment");  // back to the one in use before the other was ready
+    } else {
+      EnvironmentBakeOptions bake;
+      bake.cacheFolder = m_options.cacheFolder;
+      if (m_software) bake.maximumSharpFace = 512;
+      // The last complete environment stays in use until this one is complete.
+      jobs.add("environment",
+               makeEnvironmentJob(
+                   m_wantedEnvironment, bake,
+                   [this, images = m_wantedEnvironment](std::shared_ptr<const EnvironmentMap> map, Warnings warnings) {
+                     ++(map->figures().fromCache ? m_environmentsFromCache : m_environmentsBaked);
+                     m_environment = std::move(map);
+                     m_environmentOf = images;
+                     ++m_environmentRevision;
+                     m_environmentWarnings.insert(m_environmentWarnings.end(), warnings.begin(), warnings.end());
+                   }));
+    }
+  }
+  return changed;
+}
+
+void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
+  if (!m_stale || !m_scene) return;
+  m_stale = false;
+  if (m_model != m_scene->model) {
+    m_geometry = Geometry::upload(*m_scene->model);
+    m_model = m_scene->model;
+    ++statistics.geometryUploads;
+    statistics.triangles = m_model->indices.size() / 3;
+  }
+  m_slots.resize(m_scene->slots.size());
+  for (std::size_t i = 0; i < m_slots.size(); ++i) uploadSlot(i, statistics, messages);
+  m_textures.releaseUnused();
+  statistics.texturesUploaded = m_textures.uploaded();
+  statistics.texturesReleased = m_textures.released();
+  statistics.residentTextures = m_textures.resident();
+}
+
+void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages) {
+  const ResolvedMaterial& source = m_scene->slots[index];
+  SlotResources& slot = m_slots[index];
+  slot.model = source.material.model;
+  slot.kind = drawKindOf(source.material);
+  slot.cullBackFaces = cullsBackFaces(source.material);
+
+  std::vector<std::byte> bytes = packMaterialBlock(source.material.parameters);
+  if (bytes != slot.materialBytes) {
+    if (!slot.materialBlock) slot.materialBlock = gl::Buffer::writable("material block", bytes.size());
+    slot.materialBlock.update(0, bytes);
+    slot.materialBytes = std::move(bytes);
+    ++statistics.uniformBlocksUploaded;
+  }
+
+  DrawBlock draw;
+  std::array<std::shared_ptr<const gl::Texture>, kTextureSlotCount> textures;
+  // Without texture coordinates there is no place in a map to read.
+  const bool hasUvs = m_scene->model->hasUvs;
+  for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
+    const auto kind = static_cast<TextureSlot>(i);
+    TextureBinding binding = source.material.texture(kind);
+    draw.maps.at(i) = packMap(kind, binding);
+    if (!source.images.at(i) || !hasUvs) continue;
+    // The thesis decodes its albedo in the shader. An 8-bit map keeps its sRGB format and is bound with a sampler that
+    // doesn't decode, so that switching the shading model uploads nothing; others have no such format.
+    const bool decodesItself = slot.model == ShadingModel::Thesis && kind == TextureSlot::Albedo;
+    if (decodesItself && source.images.at(i)->type != PixelType::U8) binding.colorSpace = "raw";
+    textures.at(i) = m_textures.get(source.images.at(i), binding, kind, messages);
+    draw.mapBits.x |= 1 << i;
+    if (binding.flipGreen) draw.mapBits.y |= 1 << i;
+  }
+  draw.mapBits.z = hasUvs ? 1 : 0;
+  draw.mapBits.w = profileIdOf(source.material, index);
+  slot.textures = std::move(textures);
+  const bool isNew = !slot.drawBlock;
+  if (isNew) slot.drawBlock = gl::Buffer::writable("draw block", sizeof(DrawBlock));
+  if (isNew || !std::ranges::equal(bytesOf(draw), bytesOf(slot.draw))) {
+    slot.draw = draw;
+    slot.drawBlock.update(0, bytesOf(slot.draw));
+    ++statistics.uniformBlocksUploaded;
+  }
+}
+
+void SceneResources::bindLight() const {
+  m_dfg.bind();
+  if (m_environment) {
+    m_environment->bind();
+    return;
+  }
+  m_blackCubes.bind(EnvironmentMap::kPrefilteredUnit);
+  m_blackCube.bind(EnvironmentMap::kIrradianceUnit);
+  m_blackCube.bind(EnvironmentMap::kSharpUnit);
+}
+
+void SceneResources::bindSlot(const SlotResources& slot) const {
+  slot.materialBlock.bindUniform(kMaterialBinding);
+  slot.drawBlock.bindUniform(kDrawBinding);
+  for (std::size_t i = 0; i < kTextureSlotCount; ++i)
+    if (slot.textures.at(i)) slot.textures.at(i)->bind(static_cast<GLuint>(i));
+  constexpr auto kAlbedoUnit = static_cast<GLuint>(TextureSlot::Albedo);
+  glBindSampler(kAlbedoUnit, slot.model == ShadingModel::Thesis && m_canSkipDecode ? m_rawSampler.id() : 0);
+}
+
+void SceneResources::unbindSamplers() const { glBindSampler(static_cast<GLuint>(TextureSlot::Albedo), 0); }
+
+}  // namespace dermis

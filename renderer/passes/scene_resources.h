@@ -1,0 +1,96 @@
+// What a scene needs on the GPU: its geometry, its materials' blocks, its maps, its environment.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/scene/resolved_scene.h"
+#include "gl/gl_objects.h"
+#include "gl/job_queue.h"
+#include "lighting/dfg_table.h"
+#include "lighting/environment_map.h"
+#include "passes/geometry.h"
+#include "passes/texture_cache.h"
+#include "passes/uniform_blocks.h"
+#include "renderer.h"
+
+namespace dermis {
+
+/// How a part is drawn.
+enum class DrawKind {
+  Opaque,
+  Blended,     ///< over what is there, premultiplied
+  SeedBlended  ///< the same with the depth test off, as the published lens
+};
+
+/// One slot's material on the GPU.
+struct SlotResources {
+  ShadingModel model = ShadingModel::Skin;
+  DrawKind kind = DrawKind::Opaque;
+  bool cullBackFaces = false;
+  std::vector<std::byte> materialBytes;
+  gl::Buffer materialBlock;
+  DrawBlock draw;
+  gl::Buffer drawBlock;
+  std::array<std::shared_ptr<const gl::Texture>, kTextureSlotCount> textures;
+};
+
+class SceneResources {
+ public:
+  SceneResources(const RendererOptions& options, bool software);
+
+  /// What to draw from now on; nothing is uploaded yet. True where the picture may change. A changed environment is
+  /// queued.
+  bool setScene(std::shared_ptr<const ResolvedScene> scene, gl::JobQueue& jobs);
+  /// Uploads what the scene needs and isn't resident, and nothing else.
+  void upload(RenderStatistics& statistics, Warnings& messages);
+
+  [[nodiscard]] const ResolvedScene* scene() const { return m_scene.get(); }
+  [[nodiscard]] const Geometry& geometry() const { return *m_geometry; }
+  [[nodiscard]] const std::vector<SlotResources>& slots() const { return m_slots; }
+
+  /// Null until the first one is complete.
+  [[nodiscard]] const EnvironmentMap* environment() const { return m_environment.get(); }
+  /// Grows whenever another environment comes into use.
+  [[nodiscard]] std::uint64_t environmentRevision() const { return m_environmentRevision; }
+  /// The maps of the environment in use (black ones while there is none) and the DFG tables, on their units.
+  void bindLight() const;
+  /// A slot's blocks and maps.
+  void bindSlot(const SlotResources& slot) const;
+  void unbindSamplers() const;
+
+  /// Forgets that an environment was asked for: the next setScene() asks again.
+  void environmentCancelled() { m_wantedEnvironment = m_environmentOf; }
+  [[nodiscard]] std::uint64_t environmentsBaked() const { return m_environmentsBaked; }
+  [[nodiscard]] std::uint64_t environmentsFromCache() const { return m_environmentsFromCache; }
+  [[nodiscard]] Warnings takeEnvironmentWarnings() { return std::exchange(m_environmentWarnings, {}); }
+
+ private:
+  void uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages);
+
+  RendererOptions m_options;
+  bool m_software;
+  std::shared_ptr<const ResolvedScene> m_scene;
+  bool m_stale = false;
+
+  std::shared_ptr<const Model> m_model;  ///< the one m_geometry is of
+  std::optional<Geometry> m_geometry;
+  std::vector<SlotResources> m_slots;
+  TextureCache m_textures;
+  gl::Sampler m_rawSampler;  ///< skips sRGB decoding: the thesis decodes its albedo itself
+  bool m_canSkipDecode = false;
+
+  DfgTables m_dfg;
+  gl::Texture m_blackCube, m_blackCubes;
+  std::shared_ptr<const EnvironmentMap> m_environment;
+  std::shared_ptr<const EnvironmentImages> m_environmentOf, m_wantedEnvironment;
+  std::uint64_t m_environmentRevision = 0, m_environmentsBaked = 0, m_environmentsFromCache = 0;
+  Warnings m_environmentWarnings;
+};
+
+/// Whether two scenes give the same picture of the surface and sky (their camera and view apart).
+[[nodiscard]] bool samePicture(const ResolvedScene& a, const ResolvedScene& b);
+
+}  // namespace dermis

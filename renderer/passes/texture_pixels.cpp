@@ -1,0 +1,171 @@
+#include "passes/texture_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+namespace dermis {
+
+namespace {
+
+constexpr float kHalfMaximum = 65504.0F;
+
+Image emptyLike(const Image& image, int width, int height, int channels, PixelType type) {
+  Image out;
+  out.width = width;
+  out.height = height;
+  out.channels = channels;
+  out.type = type;
+  out.name = image.name;
+  out.pixels.resize(out.rowBytes() * static_cast<std::size_t>(height));
+  return out;
+}
+
+float load(const Image& image, std::size_t index) {
+  const std::byte* at = image.pixels.data() + index * bytesPerChannel(image.type);
+  switch (image.type) {
+    case PixelType::U8:
+      return static_cast<float>(std::to_integer<unsigned>(*at)) / 255.0F;
+    case PixelType::U16: {
+      std::uint16_t value = 0;
+      std::memcpy(&value, at, sizeof value);
+      return static_cast<float>(value) / 65535.0F;
+    }
+    case PixelType::Half: {
+      std::uint16_t value = 0;
+      std::memcpy(&value, at, sizeof value);
+      return glm::unpackHalf1x16(value);
+    }
+    default: {
+      float value = 0.0F;
+      std::memcpy(&value, at, sizeof value);
+      return value;
+    }
+  }
+}
+
+void store(Image& image, std::size_t index, float value) {
+  std::byte* at = image.pixels.data() + index * bytesPerChannel(image.type);
+  switch (image.type) {
+    case PixelType::U8:
+      *at = static_cast<std::byte>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+      break;
+    case PixelType::U16: {
+      const auto bits = static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 65535.0F));
+      std::memcpy(at, &bits, sizeof bits);
+      break;
+    }
+    case PixelType::Half: {
+      const std::uint16_t bits = glm::packHalf1x16(std::clamp(value, -kHalfMaximum, kHalfMaximum));
+      std::memcpy(at, &bits, sizeof bits);
+      break;
+    }
+    default:
+      std::memcpy(at, &value, sizeof value);
+      break;
+  }
+}
+
+float linearFromSrgb(float c) { return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F); }
+float srgbFromLinear(float c) { return c <= 0.0031308F ? c * 12.92F : 1.055F * std::pow(c, 1.0F / 2.4F) - 0.055F; }
+
+/// Whether a channel carries colour, not coverage.
+bool isColourChannel(int channel, int channels) { return channels == 2 ? channel == 0 : channel < 3; }
+
+std::size_t pixelCount(const Image& image) {
+  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+}
+
+}  // namespace
+
+Image flippedRows(const Image& image) {
+  Image out = emptyLike(image, image.width, image.height, image.channels, image.type);
+  const std::size_t row = image.rowBytes();
+  const auto height = static_cast<std::size_t>(image.height);
+  for (std::size_t y = 0; y < height; ++y)
+    std::memcpy(out.pixels.data() + (height - 1 - y) * row, image.pixels.data() + y * row, row);
+  return out;
+}
+
+Image greyToColour(const Image& image) {
+  const bool alpha = image.channels == 2;
+  Image out = emptyLike(image, image.width, image.height, alpha ? 4 : 3, image.type);
+  const std::size_t size = bytesPerChannel(image.type);
+  const auto from = static_cast<std::size_t>(image.channels) * size;
+  const auto to = static_cast<std::size_t>(out.channels) * size;
+  for (std::size_t i = 0; i < pixelCount(image); ++i) {
+    const std::byte* grey = image.pixels.data() + i * from;
+    std::byte* colour = out.pixels.data() + i * to;
+    for (std::size_t c = 0; c < 3; ++c) std::memcpy(colour + c * size, grey, size);
+    if (alpha) std::memcpy(colour + 3 * size, grey + size, size);
+  }
+  return out;
+}
+
+Image toFloatRgba(const Image& image) {
+  Image out = emptyLike(image, image.width, image.height, 4, PixelType::Float);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < pixelCount(image); ++i) {
+    float rgba[4] = {0.0F, 0.0F, 0.0F, 1.0F};
+    for (std::size_t c = 0; c < 3; ++c) rgba[c] = load(image, i * channels + (channels <= 2 ? 0 : c));
+    if (channels == 2 || channels == 4) rgba[3] = load(image, i * channels + channels - 1);
+    std::memcpy(out.pixels.data() + i * sizeof rgba, rgba, sizeof rgba);
+  }
+  return out;
+}
+
+Image toHalf(const Image& image) {
+  Image out = emptyLike(image, image.width, image.height, image.channels, PixelType::Half);
+  const std::size_t count = pixelCount(image) * static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < count; ++i) store(out, i, load(image, i));
+  return out;
+}
+
+Image srgbToLinear(const Image& image) {
+  Image out = emptyLike(image, image.width, image.height, image.channels, PixelType::Half);
+  const int channels = image.channels;
+  const std::size_t count = pixelCount(image) * static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int channel = static_cast<int>(i % static_cast<std::size_t>(channels));
+    const float value = load(image, i);
+    store(out, i, isColourChannel(channel, channels) ? linearFromSrgb(value) : value);
+  }
+  return out;
+}
+
+Image reduced(const Image& image, int maximumSize, bool srgb) {
+  const int factor =
+      std::max((image.width + maximumSize - 1) / maximumSize, (image.height + maximumSize - 1) / maximumSize);
+  const int width = std::max(1, image.width / factor);
+  const int height = std::max(1, image.height / factor);
+  Image out = emptyLike(image, width, height, image.channels, image.type);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < height; ++y) {
+    // The rows and columns that this pixel stands for; the last ones take what a division left over.
+    const int y0 = static_cast<int>(static_cast<long>(y) * image.height / height);
+    const int y1 = std::max(y0 + 1, static_cast<int>(static_cast<long>(y + 1) * image.height / height));
+    for (int x = 0; x < width; ++x) {
+      const int x0 = static_cast<int>(static_cast<long>(x) * image.width / width);
+      const int x1 = std::max(x0 + 1, static_cast<int>(static_cast<long>(x + 1) * image.width / width));
+      for (std::size_t c = 0; c < channels; ++c) {
+        const bool decode = srgb && isColourChannel(static_cast<int>(c), image.channels);
+        float sum = 0.0F;
+        for (int sy = y0; sy < y1; ++sy)
+          for (int sx = x0; sx < x1; ++sx) {
+            const std::size_t pixel =
+                static_cast<std::size_t>(sy) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(sx);
+            const float value = load(image, pixel * channels + c);
+            sum += decode ? linearFromSrgb(value) : value;
+          }
+        const float mean = sum / static_cast<float>((y1 - y0) * (x1 - x0));
+        const std::size_t pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+        store(out, pixel * channels + c, decode ? srgbFromLinear(mean) : mean);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace dermis

@@ -1,0 +1,158 @@
+#include "renderer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "frame.h"
+#include "gl/debug_output.h"
+#include "gl/job_queue.h"
+#include "gl/shader_library.h"
+#include "passes/scene_resources.h"
+#include "passes/surface_pass.h"
+
+namespace dermis {
+
+namespace {
+
+constexpr std::array<std::pair<Aov, std::string_view>, 7> kAovs = {{{Aov::Beauty, "beauty"},
+                                                                    {Aov::Diffuse, "diffuse"},
+                                                                    {Aov::Specular, "specular"},
+                                                                    {Aov::Normal, "normal"},
+                                                                    {Aov::Occlusion, "occlusion"},
+                                                                    {Aov::Depth, "depth"},
+                                                                    {Aov::ProfileId, "profile_id"}}};
+
+std::string glString(GLenum name) {
+  const auto* text = reinterpret_cast<const char*>(glGetString(name));
+  return text != nullptr ? text : "";
+}
+
+GlInfo readGlInfo(const std::string& platform) {
+  GlInfo info{glString(GL_VENDOR), glString(GL_RENDERER), glString(GL_VERSION), platform, false};
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"})
+    info.software = info.software || info.renderer.find(name) != std::string::npos;
+  return info;
+}
+
+class GlRenderer final : public Renderer {
+ public:
+  GlRenderer(const RendererOptions& options, GlInfo info)
+      : m_info(std::move(info)),
+        m_debug(options.failOnGlError),
+        m_resources(options, m_info.software),
+        m_frame(m_shaders, m_messages, m_info.software) {}
+
+  void setScene(std::shared_ptr<const ResolvedScene> scene) override {
+    if (m_resources.setScene(std::move(scene), m_jobs)) ++m_sceneRevision;
+    queuePrograms();
+  }
+
+  bool renderFrame(const FrameRequest& request) override {
+    Warnings messages;
+    m_resources.upload(m_statistics, messages);
+    for (const std::string& message : messages) m_messages.say(message);
+    const std::uint64_t revision = m_sceneRevision + m_resources.environmentRevision() + m_shaderRevision;
+    return m_frame.draw(request, m_resources, revision, m_statistics);
+  }
+
+  bool accumulating() const override { return m_frame.accumulating(); }
+  void restartAccumulation() override { m_frame.restart(); }
+
+  bool runJobs(double budgetMs) override {
+    Warnings messages;
+    const bool left = m_jobs.run(budgetMs, messages);
+    for (const std::string& message : messages) m_messages.say(message);
+    return left;
+  }
+  std::pair<std::string, double> jobProgress() const override { return m_jobs.progress(); }
+  void cancelJobs() override {
+    m_jobs.cancel();
+    m_resources.environmentCancelled();
+  }
+  Result<void> finishJobs() override { return m_jobs.finish(); }
+
+  Image readAov(Aov aov) override { return m_frame.readAov(aov); }
+  void keepAovs(const std::vector<Aov>& aovs) override {
+    SceneImages images = kBeautyOnly;
+    for (const Aov aov : aovs) images |= bitOf(sceneImageOf(aov));
+    m_frame.keep(images);
+    queuePrograms(images != kBeautyOnly);
+  }
+  Image readDisplay(const ViewSettings& view, PixelType type) override { return m_frame.readDisplay(view, type); }
+  std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) override { return m_frame.pickPosition(pixel); }
+
+  const GlInfo& glInfo() const override { return m_info; }
+  RenderStatistics statistics() const override {
+    RenderStatistics statistics = m_statistics;
+    statistics.programsCompiled = m_shaders.compileCount();
+    statistics.environmentsBaked = m_resources.environmentsBaked();
+    statistics.environmentsFromCache = m_resources.environmentsFromCache();
+    statistics.displayProgramsBuilt = m_frame.displayProgramsBuilt();
+    statistics.glErrors = m_debug.count();
+    return statistics;
+  }
+  std::vector<PassTime> passTimes() const override { return m_frame.passTimes(); }
+  Warnings takeMessages() override {
+    for (const std::string& message : m_resources.takeEnvironmentWarnings()) m_messages.say(message);
+    for (const std::string& message : m_debug.take()) m_messages.say("OpenGL: " + message);
+    return m_messages.take();
+  }
+  void reloadChangedShaders() override {
+    Warnings messages;
+    m_messages.clear();
+    if (m_shaders.reloadChanged(messages)) ++m_shaderRevision;
+    for (const std::string& message : messages) m_messages.say(message);
+  }
+
+ private:
+  /// Compiles what the scene's materials need, one program a slice, before the first frame asks for it.
+  void queuePrograms(bool withAovs = false) {
+    if (m_resources.scene() == nullptr) return;
+    std::vector<gl::ProgramSources> wanted;
+    for (const ResolvedMaterial& slot : m_resources.scene()->slots) {
+      gl::ProgramSources sources = surfaceProgram(slot.material.model, withAovs);
+      if (!m_shaders.has(sources) && std::find(wanted.begin(), wanted.end(), sources) == wanted.end())
+        wanted.push_back(std::move(sources));
+    }
+    if (wanted.empty()) return;
+    auto step = [this, wanted, next = std::size_t{0}]() mutable -> Result<bool> {
+      auto program = m_shaders.program(wanted[next++]);
+      if (!program) return tl::unexpected(program.error());
+      return next == wanted.size();
+    };
+    m_jobs.add("programs", gl::makeJob("Preparing shaders", std::move(step)));
+  }
+
+  GlInfo m_info;
+  gl::DebugOutput m_debug;
+  MessageLog m_messages;
+  gl::ShaderLibrary m_shaders;
+  SceneResources m_resources;
+  mutable Frame m_frame;  ///< collecting the timers' results changes it
+  gl::JobQueue m_jobs;    ///< after what its jobs work on, so that it goes first
+  RenderStatistics m_statistics;
+  std::uint64_t m_sceneRevision = 0, m_shaderRevision = 0;
+};
+
+}  // namespace
+
+std::string_view toString(Aov aov) { return kAovs.at(static_cast<std::size_t>(aov)).second; }
+
+std::vector<Aov> allAovs() {
+  std::vector<Aov> aovs;
+  for (const auto& [aov, name] : kAovs) aovs.push_back(aov);
+  return aovs;
+}
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& options) {
+  const int version = epoxy_gl_version();
+  GLint profile = 0;
+  if (version >= 45) glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+  if (version < 45)
+    return runtimeError("OpenGL 4.5 is needed and this driver offers " + std::to_string(version / 10) + "." +
+                        std::to_string(version % 10) +
+                        "; install a newer driver, or run with LIBGL_ALWAYS_SOFTWARE=1 for Mesa's software renderer.");
+  return std::make_unique<GlRenderer>(options, readGlInfo(options.platform));
+}
+
+}  // namespace dermis

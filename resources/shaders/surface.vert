@@ -1,0 +1,19 @@
+// Geometry to the screen. Model transforms were applied when the file was read, so model space is world space.
+#include "frame_block.glsl"
+
+layout(location = 0) in vec4 a_position_u;
+layout(location = 1) in vec4 a_normal_v;
+layout(location = 2) in vec4 a_tangent;
+
+out vec3 v_position;
+out vec3 v_normal;
+out vec4 v_tangent;
+out vec2 v_uv;
+
+void main() {
+  v_position = a_position_u.xyz;
+  v_normal = a_normal_v.xyz;
+  v_tangent = a_tangent;
+  v_uv = vec2(a_position_u.w, a_normal_v.w);
+  gl_Position = u_view_projection * vec4(a_position_u.xyz, 1.0);
+}
