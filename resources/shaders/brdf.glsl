@@ -8,7 +8,8 @@ const float kPi = 3.14159265358979;
 const float kInversePi = 0.318309886183791;
 const float kMinPerceptualRoughness = 0.02;  // the hard range of specular.perceptual_roughness
 const float kMinNdotV = 1e-4;                // interpolated normals turn away from the camera at silhouettes
-const float kHalfMax = 65504.0;              // radiance lands in half floats
+const float kHalfMax = 65504.0;              // pictures are half floats
+const float kRadianceMax = 0.5 * kHalfMax;   // diffuse and specular are added
 
 float pow5(float x) {
   float x2 = x * x;

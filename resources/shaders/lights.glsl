@@ -9,6 +9,12 @@
 
 #include "frame_block.glsl"
 
+// Kinds of light, in the order of LightType. A point light (0) is what is left when no other test is true.
+const int kLightDirectional = 1;
+const int kLightSpot = 2;
+const int kLightSphere = 3;
+const int kLightRect = 4;
+
 struct LightSample {
   vec3 to_light;    // unit
   vec3 irradiance;  // on a surface that faces the light
@@ -25,7 +31,7 @@ LightSample lightAt(int index, vec3 position) {
   LightData light = u_lights[index];
   int type = int(light.position_type.w);
   LightSample result;
-  if (type == LIGHT_DIRECTIONAL) {
+  if (type == kLightDirectional) {
     result.to_light = -light.direction_outer.xyz;
     result.irradiance = light.radiant_inner.rgb;
     return result;
@@ -33,12 +39,12 @@ LightSample lightAt(int index, vec3 position) {
   vec3 offset = light.position_type.xyz - position;
   float distance2 = dot(offset, offset);
   // A light inside the surface would be infinitely bright; a sphere light is never nearer than its own surface.
-  float nearest = type == LIGHT_SPHERE ? light.size.x * light.size.x : 0.0;
+  float nearest = type == kLightSphere ? light.size.x * light.size.x : 0.0;
   result.to_light = offset * inversesqrt(max(distance2, 1e-12));
   result.irradiance = light.radiant_inner.rgb / max(distance2, max(nearest, 1e-8));
   float cos_angle = -dot(result.to_light, light.direction_outer.xyz);
-  if (type == LIGHT_SPOT) result.irradiance *= spotFalloff(cos_angle, light.radiant_inner.w, light.direction_outer.w);
-  if (type == LIGHT_RECT) result.irradiance *= max(cos_angle, 0.0);
+  if (type == kLightSpot) result.irradiance *= spotFalloff(cos_angle, light.radiant_inner.w, light.direction_outer.w);
+  if (type == kLightRect) result.irradiance *= max(cos_angle, 0.0);
   return result;
 }
 

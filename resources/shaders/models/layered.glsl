@@ -113,6 +113,6 @@ LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
                     specular * horizonOcclusion(r, vertex_normal));
 }
 
-vec3 inHalfRange(vec3 radiance) { return min(radiance, vec3(kHalfMax)); }
+vec3 inHalfRange(vec3 radiance) { return min(radiance, vec3(kRadianceMax)); }
 
 #endif

@@ -71,8 +71,8 @@ Shading shade(Surface s) {
   specular += p.ao * (f * dfg.x + dfg.y) * environmentPrefiltered(r, p.roughness);
 
   Shading result;
-  result.diffuse = min(diffuse, vec3(kHalfMax));
-  result.specular = min(specular, vec3(kHalfMax));
+  result.diffuse = min(diffuse, vec3(kRadianceMax));
+  result.specular = min(specular, vec3(kRadianceMax));
   result.alpha = 1.0;
   result.occlusion = p.ao;
   result.shading_normal = p.normal;
