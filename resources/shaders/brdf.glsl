@@ -35,12 +35,11 @@ float D_GGX(float n_dot_h, float sin2_n_h, float alpha) {
 }
 
 // Height-correlated Smith masking-shadowing over 4 (n·v)(n·l): Heitz 2014, "Understanding the Masking-Shadowing Function
-// in Microfacet-Based BRDFs", equation 99, in the form of Lagarde & de Rousiers 2014, listing 2.
-float V_SmithGGXCorrelated(float n_dot_v, float n_dot_l, float alpha) {
-  float a2 = alpha * alpha;
-  float masking = n_dot_l * sqrt(n_dot_v * n_dot_v * (1.0 - a2) + a2);
-  float shadowing = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - a2) + a2);
-  return 0.5 / max(masking + shadowing, 1e-12);
+// in Microfacet-Based BRDFs", equation 99, in the form of Lagarde & de Rousiers 2014, listing 2. Each side has a root of its own, so
+// that the viewer's is taken once for all lights.
+float smithRoot(float n_dot_x, float alpha2) { return sqrt(n_dot_x * n_dot_x * (1.0 - alpha2) + alpha2); }
+float V_SmithGGXCorrelated(float n_dot_v, float n_dot_l, float root_v, float root_l) {
+  return 0.5 / max(n_dot_l * root_v + n_dot_v * root_l, 1e-12);
 }
 
 // Schlick's approximation of Smith's one-sided masking (Schlick 1994, equation 19), with the k of Karis 2013, "Real

@@ -108,41 +108,53 @@ SplitSum SplitSumCurve::at(double nDotV) const {
   return {a.scale + t * (b.scale - a.scale), a.bias + t * (b.bias - a.bias)};
 }
 
-Layer::Layer(const dvec3& f0, const dvec3& bodyF0, std::vector<Lobe> lobes)
-    : m_f0(f0), m_bodyF0(bodyF0), m_lobes(std::move(lobes)) {
+Layer::Layer(const dvec3& bodyF0, std::vector<Lobe> lobes, const dvec3& metalF0, double metallic)
+    : m_bodyF0(bodyF0), m_metalF0(metalF0), m_metallic(metallic), m_lobes(std::move(lobes)) {
   for (const Lobe& lobe : m_lobes) m_curves.push_back(SplitSumCurve::smith(lobe.perceptualRoughness));
   for (const QuadratureNode& node : gaussLegendre(48))
     m_bodyAverage += bodyAlbedo(node.x) * (2.0 * node.x * node.weight);
 }
 
-dvec3 Layer::compensation(std::size_t i, double nDotV) const {
-  const double mirror = m_curves[i].at(nDotV).albedo(dvec3(1.0)).x;
-  return dvec3(1.0) + m_f0 * (1.0 / mirror - 1.0);
+namespace {
+/// Turquin 2019: what the lobe gains where its facets reflect f0 and perfect ones would have lost 1 − mirror.
+dvec3 compensation(const dvec3& f0, double mirror) { return dvec3(1.0) + f0 * (1.0 / mirror - 1.0); }
+}  // namespace
+
+dvec3 Layer::lobeAlbedoOf(const dvec3& f0, std::size_t i, double nDotV) const {
+  const SplitSum single = m_curves[i].at(nDotV);
+  return m_lobes[i].weight * single.albedo(f0) * compensation(f0, single.albedo(dvec3(1.0)).x);
 }
 
 dvec3 Layer::albedoOf(const dvec3& f0, double nDotV) const {
   dvec3 sum(0.0);
-  for (std::size_t i = 0; i < m_lobes.size(); ++i) {
-    const SplitSum single = m_curves[i].at(nDotV);
-    const double mirror = single.albedo(dvec3(1.0)).x;
-    sum += m_lobes[i].weight * single.albedo(f0) * (dvec3(1.0) + f0 * (1.0 / mirror - 1.0));
-  }
+  for (std::size_t i = 0; i < m_lobes.size(); ++i) sum += lobeAlbedoOf(f0, i, nDotV);
   return sum;
+}
+
+dvec3 Layer::lobeAlbedo(std::size_t i, double nDotV) const {
+  return glm::mix(lobeAlbedoOf(m_bodyF0, i, nDotV), lobeAlbedoOf(m_metalF0, i, nDotV), m_metallic);
+}
+
+dvec3 Layer::albedo(double nDotV) const {
+  return glm::mix(albedoOf(m_bodyF0, nDotV), albedoOf(m_metalF0, nDotV), m_metallic);
 }
 
 dvec3 Layer::brdf(const dvec3& n, const dvec3& v, const dvec3& l) const {
   dvec3 sum(0.0);
   for (std::size_t i = 0; i < m_lobes.size(); ++i) {
     const double alpha = m_lobes[i].perceptualRoughness * m_lobes[i].perceptualRoughness;
-    sum += m_lobes[i].weight * ggxBrdf(m_f0, alpha, n, v, l) * compensation(i, std::max(glm::dot(n, v), 0.0));
+    const double mirror = m_curves[i].at(std::max(glm::dot(n, v), 0.0)).albedo(dvec3(1.0)).x;
+    const dvec3 body = ggxBrdf(m_bodyF0, alpha, n, v, l) * compensation(m_bodyF0, mirror);
+    const dvec3 metal = ggxBrdf(m_metalF0, alpha, n, v, l) * compensation(m_metalF0, mirror);
+    sum += m_lobes[i].weight * glm::mix(body, metal, m_metallic);
   }
   return sum;
 }
 
 dvec3 Layer::lampWeight(double in, double out) const {
-  const dvec3 left = dvec3(1.0) - m_bodyAverage;
-  const dvec3 weight = (dvec3(1.0) - bodyAlbedo(in)) * (dvec3(1.0) - bodyAlbedo(out)) / glm::max(left, dvec3(1e-9));
-  return weight;
+  return imageWeight(out) * (dvec3(1.0) - bodyAlbedo(in)) / glm::max(dvec3(1.0) - m_bodyAverage, dvec3(1e-9));
 }
+
+dvec3 Layer::imageWeight(double out) const { return (1.0 - m_metallic) * (dvec3(1.0) - bodyAlbedo(out)); }
 
 }  // namespace dermis::reference

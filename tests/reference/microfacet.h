@@ -51,31 +51,34 @@ class SplitSumCurve {
 };
 
 /// A specular layer of GGX lobes with Turquin 2019's compensation, and what it leaves to the body below it
-/// (materials.md, section 1).
+/// (materials.md, section 1). A share of the surface may be metal without a body, as glTF mixes them.
 class Layer {
  public:
   struct Lobe {
     double perceptualRoughness = 0.5;
     double weight = 1.0;  ///< share times intensity
   };
-  Layer(const dvec3& f0, const dvec3& bodyF0, std::vector<Lobe> lobes);
+  Layer(const dvec3& bodyF0, std::vector<Lobe> lobes, const dvec3& metalF0 = dvec3(1.0), double metallic = 0.0);
 
-  /// Directional albedo over the facets' F0, and over the F0 of those above the body.
-  [[nodiscard]] dvec3 albedo(double nDotV) const { return albedoOf(m_f0, nDotV); }
+  /// Directional albedo of everything that the lobes reflect, and of what lies over the body.
+  [[nodiscard]] dvec3 albedo(double nDotV) const;
   [[nodiscard]] dvec3 bodyAlbedo(double nDotV) const { return glm::min(albedoOf(m_bodyF0, nDotV), dvec3(1.0)); }
   /// ∫ bodyAlbedo(μ) 2μ dμ.
   [[nodiscard]] const dvec3& bodyAverage() const { return m_bodyAverage; }
   /// BRDF of the lobes, compensated for the direction of view.
   [[nodiscard]] dvec3 brdf(const dvec3& n, const dvec3& v, const dvec3& l) const;
-  /// Weight of the body's diffuse light from a lamp at cosine in, seen at cosine out.
+  /// Weight of the body's diffuse light from a lamp at cosine in, seen at cosine out; and that of image light.
   [[nodiscard]] dvec3 lampWeight(double in, double out) const;
-  /// The part of brdf's value that lobe i gives, before weight and compensation; and its compensation.
-  [[nodiscard]] dvec3 compensation(std::size_t i, double nDotV) const;
+  [[nodiscard]] dvec3 imageWeight(double out) const;
   [[nodiscard]] const std::vector<Lobe>& lobes() const { return m_lobes; }
+  /// What lobe i reflects of light from all around.
+  [[nodiscard]] dvec3 lobeAlbedo(std::size_t i, double nDotV) const;
 
  private:
   [[nodiscard]] dvec3 albedoOf(const dvec3& f0, double nDotV) const;
-  dvec3 m_f0, m_bodyF0, m_bodyAverage{0.0};
+  [[nodiscard]] dvec3 lobeAlbedoOf(const dvec3& f0, std::size_t i, double nDotV) const;
+  dvec3 m_bodyF0, m_metalF0, m_bodyAverage{0.0};
+  double m_metallic;
   std::vector<Lobe> m_lobes;
   std::vector<SplitSumCurve> m_curves;
 };

@@ -34,8 +34,9 @@ Shading shade(Surface s) {
   vec3 normal = mappedNormal(s, u_material.surface_normal_strength);
 
   Layer layer;
-  layer.f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
-  layer.body_f0 = layer.f0;
+  layer.body_f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
+  layer.metal_f0 = vec3(1.0);
+  layer.metallic = 0.0;
   for (int i = 0; i < DERMIS_LOBES; ++i)
     layer.perceptual_roughness[i] = clamp(roughness * u_material.specular_lobe_scale[i], kMinPerceptualRoughness, 1.0);
   layer.weight[0] = intensity * (1.0 - u_material.specular_lobe_mix);

@@ -19,9 +19,11 @@
 #define DERMIS_LOBES 1
 #endif
 
+// The share `metallic` of the surface is metal without a body, the rest a dielectric over one, as glTF mixes them.
 struct Layer {
-  vec3 f0;       // of the facets
-  vec3 body_f0;  // of those over the body: a metal has no body, so its F0 takes nothing from the diffuse light
+  vec3 body_f0;   // of the facets over the body
+  vec3 metal_f0;  // of metallic ones
+  float metallic;
   float perceptual_roughness[DERMIS_LOBES];
   float weight[DERMIS_LOBES];  // share of the lobe times the layer's intensity
 };
@@ -31,10 +33,13 @@ struct LayerPoint {
   vec3 normal;
   vec3 view;
   float n_dot_v;
-  vec2 dfg[DERMIS_LOBES];
-  vec3 compensation[DERMIS_LOBES];
-  vec3 body_out;   // 1 − E(μ_out)
-  vec3 body_norm;  // (1 − E(μ_out)) / (1 − ⟨E⟩)
+  // A lobe's Fresnel reflectance with its weight and compensation, at_normal + at_grazing (1 − v·h)⁵: Schlick's, of body and metal.
+  vec3 at_normal[DERMIS_LOBES];
+  vec3 at_grazing[DERMIS_LOBES];
+  float root_v[DERMIS_LOBES];
+  vec3 reflectance[DERMIS_LOBES];  // towards the viewer, of light from all around
+  vec3 body_out;                   // (1 − metallic) (1 − E(μ_out))
+  vec3 body_norm;                  // body_out / (1 − ⟨E⟩)
 };
 
 struct LayerLight {
@@ -42,7 +47,7 @@ struct LayerLight {
   vec3 specular;
 };
 
-// The share of light from (or to) a direction at cosine μ that reaches (or leaves) the body.
+// The share of a light at cosine μ that reaches the body.
 vec3 bodyTransmittance(Layer layer, float mu) {
   vec3 reflected = vec3(0.0);
   for (int i = 0; i < DERMIS_LOBES; ++i)
@@ -58,12 +63,19 @@ LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
   vec3 reflected = vec3(0.0);
   vec3 average = vec3(0.0);
   for (int i = 0; i < DERMIS_LOBES; ++i) {
-    p.dfg[i] = dfgSmith(p.n_dot_v, layer.perceptual_roughness[i]);
-    p.compensation[i] = energyCompensation(layer.f0, p.dfg[i]);
-    reflected += layer.weight[i] * E_GGX(layer.body_f0, p.dfg[i]);
-    average += layer.weight[i] * E_GGX_average(layer.body_f0, layer.perceptual_roughness[i]);
+    float roughness = layer.perceptual_roughness[i];
+    float alpha = roughness * roughness;
+    vec2 dfg = dfgSmith(p.n_dot_v, roughness);
+    vec3 body = layer.weight[i] * (1.0 - layer.metallic) * energyCompensation(layer.body_f0, dfg);
+    vec3 metal = layer.weight[i] * layer.metallic * energyCompensation(layer.metal_f0, dfg);
+    p.at_normal[i] = body * layer.body_f0 + metal * layer.metal_f0;
+    p.at_grazing[i] = body + metal - p.at_normal[i];
+    p.reflectance[i] = p.at_normal[i] * dfg.x + (body + metal) * dfg.y;
+    p.root_v[i] = smithRoot(p.n_dot_v, alpha * alpha);
+    reflected += layer.weight[i] * E_GGX(layer.body_f0, dfg);
+    average += layer.weight[i] * E_GGX_average(layer.body_f0, roughness);
   }
-  p.body_out = vec3(1.0) - min(reflected, 1.0);
+  p.body_out = (1.0 - layer.metallic) * (vec3(1.0) - min(reflected, 1.0));
   // Where the layer reflects everything, body_out is 0 as well.
   p.body_norm = p.body_out / max(vec3(1.0) - average, 1e-3);
   return p;
@@ -75,13 +87,15 @@ vec3 layerSpecular(Layer layer, LayerPoint p, vec3 to_light, float n_dot_l) {
   float n_dot_h = clamp(dot(p.normal, h), 0.0, 1.0);
   vec3 n_cross_h = cross(p.normal, h);
   float sin2_n_h = dot(n_cross_h, n_cross_h);
-  vec3 lobes = vec3(0.0);
+  float grazing = pow5(1.0 - clamp(dot(p.view, h), 0.0, 1.0));
+  vec3 sum = vec3(0.0);
   for (int i = 0; i < DERMIS_LOBES; ++i) {
     float alpha = layer.perceptual_roughness[i] * layer.perceptual_roughness[i];
-    lobes += layer.weight[i] * D_GGX(n_dot_h, sin2_n_h, alpha) * V_SmithGGXCorrelated(p.n_dot_v, n_dot_l, alpha) *
-             p.compensation[i];
+    float root_l = smithRoot(n_dot_l, alpha * alpha);
+    sum += D_GGX(n_dot_h, sin2_n_h, alpha) * V_SmithGGXCorrelated(p.n_dot_v, n_dot_l, p.root_v[i], root_l) *
+           (p.at_normal[i] + p.at_grazing[i] * grazing);
   }
-  return lobes * F_Schlick(layer.f0, clamp(dot(p.view, h), 0.0, 1.0));
+  return sum;
 }
 
 // All lamps.
@@ -93,8 +107,9 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position) {
     if (n_dot_l <= 0.0) continue;
     vec3 received = light.irradiance * n_dot_l;
     sum.specular += received * layerSpecular(layer, p, light.to_light, n_dot_l);
-    sum.body += received * kInversePi * bodyTransmittance(layer, n_dot_l) * p.body_norm;
+    sum.body += received * bodyTransmittance(layer, n_dot_l);
   }
+  sum.body *= kInversePi * p.body_norm;
   return sum;
 }
 
@@ -105,12 +120,10 @@ LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
   vec3 specular = vec3(0.0);
   for (int i = 0; i < DERMIS_LOBES; ++i) {
     float roughness = layer.perceptual_roughness[i];
-    vec3 reflectance = (layer.f0 * p.dfg[i].x + p.dfg[i].y) * p.compensation[i];
-    specular += layer.weight[i] * specularOcclusion(p.n_dot_v, ao, roughness * roughness) * reflectance *
+    specular += specularOcclusion(p.n_dot_v, ao, roughness * roughness) * p.reflectance[i] *
                 environmentPrefiltered(r, roughness);
   }
-  return LayerLight(environmentIrradiance(p.normal) * ao * p.body_out,
-                    specular * horizonOcclusion(r, vertex_normal));
+  return LayerLight(environmentIrradiance(p.normal) * ao * p.body_out, specular * horizonOcclusion(r, vertex_normal));
 }
 
 vec3 inHalfRange(vec3 radiance) { return min(radiance, vec3(kRadianceMax)); }

@@ -9,8 +9,9 @@ const float kTearFilmPerceptualRoughness = 0.02;
 
 Shading shade(Surface s) {
   Layer layer;
-  layer.f0 = vec3(F0_fromIor(kCorneaIor));
-  layer.body_f0 = layer.f0;
+  layer.body_f0 = vec3(F0_fromIor(kCorneaIor));
+  layer.metal_f0 = vec3(1.0);
+  layer.metallic = 0.0;
   layer.perceptual_roughness[0] = kTearFilmPerceptualRoughness;
   layer.weight[0] = 1.0;
 

@@ -26,7 +26,8 @@ Shading shade(Surface s) {
 
   Layer layer;
   layer.body_f0 = vec3(0.04);
-  layer.f0 = mix(layer.body_f0, albedo, metallic);
+  layer.metal_f0 = albedo;
+  layer.metallic = metallic;
   layer.perceptual_roughness[0] = clamp(roughness, kMinPerceptualRoughness, 1.0);
   layer.weight[0] = 1.0;
 
@@ -36,7 +37,7 @@ Shading shade(Surface s) {
 
   // glTF's alpha is coverage: it thins the whole surface, its reflections too.
   Shading result;
-  result.diffuse = inHalfRange(alpha * albedo * (1.0 - metallic) * (lamps.body + image.body));
+  result.diffuse = inHalfRange(alpha * albedo * (lamps.body + image.body));
   result.specular = inHalfRange(alpha * (lamps.specular + image.specular + emission));
   result.alpha = alpha;
   result.occlusion = ao;

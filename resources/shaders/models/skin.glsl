@@ -16,7 +16,8 @@ Shading shade(Surface s) {
 
   Layer layer;
   layer.body_f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
-  layer.f0 = mix(layer.body_f0, albedo, metallic);
+  layer.metal_f0 = albedo;
+  layer.metallic = metallic;
   for (int i = 0; i < DERMIS_LOBES; ++i)
     layer.perceptual_roughness[i] = clamp(roughness * u_material.specular_lobe_scale[i], kMinPerceptualRoughness, 1.0);
   layer.weight[0] = intensity * (1.0 - u_material.specular_lobe_mix);
@@ -27,7 +28,7 @@ Shading shade(Surface s) {
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
   Shading result;
-  result.diffuse = inHalfRange(albedo * (1.0 - metallic) * (lamps.body + image.body));
+  result.diffuse = inHalfRange(albedo * (lamps.body + image.body));
   // Pores and creases swallow reflections; what they swallow is not diffused either.
   result.specular = inHalfRange(cavity * (lamps.specular + image.specular));
   result.alpha = 1.0;
