@@ -54,7 +54,7 @@ dermis_tidy() {
     fi
     while (($(jobs -rp | wc -l) >= $(nproc))); do wait -n; done
     (
-      output=$(cd "$dermis_root" && clang-tidy --quiet -p "$folder" "$file" 2>&1) || {
+      output=$(cd "$dermis_root" && clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option -p "$folder" "$file" 2>&1) || {
         printf '%s\n' "$output" | grep -v -E '^[0-9]+ warnings? (and [0-9]+ errors? )?generated|^Suppressed |^Use -header-filter|^Error while processing'
         printf '%s\n' "$file" >>"$failures"
       }
