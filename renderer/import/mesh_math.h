@@ -10,9 +10,9 @@ namespace dermis::import {
 /// materials and UV seams. Weights: Thürmer & Wüthrich 1998, "Computing Vertex Normals from Polygonal Facets".
 void completeNormals(RawMesh& mesh);
 
-/// Moves the mesh into the model: triangles without area dropped, equal vertices merged slot by slot, in the order of
-/// first use. Returns how many triangles were dropped.
-std::size_t weldInto(RawMesh&& mesh, Model& model);
+/// Moves the mesh into the model, slot by slot: triangles without area and unused vertices dropped, vertices in the
+/// order of first use, equal ones merged where `merge` is set. Returns how many triangles were dropped.
+std::size_t weldInto(RawMesh&& mesh, bool merge, Model& model);
 
 /// Completes tangents (w = 0 where there is none): along +u, bitangent w · cross(n, t) along +v, angle-weighted over
 /// the vertex's triangles; a vertex that mirrored UVs share is split. Without UVs, any frame about the normal. After

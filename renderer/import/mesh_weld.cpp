@@ -1,5 +1,7 @@
 #include <meshoptimizer.h>
 
+#include <algorithm>
+
 #include "import/mesh_math.h"
 
 namespace dermis::import {
@@ -27,6 +29,16 @@ std::vector<unsigned> solidTriangles(const RawMesh& mesh, const RawMesh::Run& ru
   return out;
 }
 
+/// Only drops vertices that no triangle uses; `remap` numbers the others in the order of first use. Returns their
+/// number.
+std::size_t compact(const std::vector<unsigned>& triangles, std::vector<unsigned>& remap) {
+  unsigned next = 0;
+  std::fill(remap.begin(), remap.end(), ~0U);
+  for (const unsigned index : triangles)
+    if (remap[index] == ~0U) remap[index] = next++;
+  return next;
+}
+
 template <class T>
 void moveStream(const std::vector<T>& from, const RawMesh::Run& run, const std::vector<unsigned>& remap,
                 std::size_t unique, std::vector<T>& to) {
@@ -37,7 +49,7 @@ void moveStream(const std::vector<T>& from, const RawMesh::Run& run, const std::
 
 }  // namespace
 
-std::size_t weldInto(RawMesh&& mesh, Model& model) {
+std::size_t weldInto(RawMesh&& mesh, bool merge, Model& model) {
   std::size_t dropped = 0;
   const bool tangents = !mesh.tangents.empty();
   for (std::uint32_t r = 0; r < mesh.runs.size(); ++r) {
@@ -51,11 +63,11 @@ std::size_t weldInto(RawMesh&& mesh, Model& model) {
         {mesh.uvs.data() + run.firstVertex, sizeof(glm::vec2), sizeof(glm::vec2)}};
     if (tangents) streams.push_back({mesh.tangents.data() + run.firstVertex, sizeof(glm::vec4), sizeof(glm::vec4)});
     std::vector<unsigned> remap(run.vertexCount);
-    const std::size_t unique = triangles.empty()
-                                   ? 0
-                                   : meshopt_generateVertexRemapMulti(remap.data(), triangles.data(), triangles.size(),
-                                                                      run.vertexCount, streams.data(), streams.size());
-
+    const std::size_t unique = triangles.empty() ? 0
+                               : merge
+                                   ? meshopt_generateVertexRemapMulti(remap.data(), triangles.data(), triangles.size(),
+                                                                      run.vertexCount, streams.data(), streams.size())
+                                   : compact(triangles, remap);
     const auto base = static_cast<std::uint32_t>(model.positions.size());
     model.parts.push_back(
         {r, static_cast<std::uint32_t>(model.indices.size()), static_cast<std::uint32_t>(triangles.size())});

@@ -104,7 +104,8 @@ Result<Model> loadModel(const fs::path& path, std::stop_token stop) try {
   model.hasUvs = raw->anyUvs;
   std::vector<unsigned> materials;
   for (const RawMesh::Run& run : raw->runs) materials.push_back(run.material);
-  const std::size_t dropped = weldInto(std::move(*raw), model);
+  // glTF comes indexed: its author's vertices are kept as they are.
+  const std::size_t dropped = weldInto(std::move(*raw), !gltf, model);
   if (model.indices.empty())
     return inputError(fmt::format("{}: none of the model's {} triangles has any area", name, dropped));
   if (dropped > 0) model.warnings.push_back(fmt::format("{}: {} triangles without area are left out", name, dropped));

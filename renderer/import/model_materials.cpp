@@ -54,8 +54,12 @@ void readColours(const aiMaterial& source, Material& material) {
     p.specularPerceptualRoughness = *roughness;
   else if (const auto glossiness = number(source, AI_MATKEY_GLOSSINESS_FACTOR))
     p.specularPerceptualRoughness = 1.0F - *glossiness;
-  else
-    p.specularPerceptualRoughness = roughnessOfExponent(number(source, AI_MATKEY_SHININESS).value_or(10.0F));
+  else {
+    // An exponent of 0 is what readers put where the file says nothing.
+    constexpr float kUnsaid = 0.5F;
+    const float exponent = number(source, AI_MATKEY_SHININESS).value_or(0.0F);
+    p.specularPerceptualRoughness = exponent > 0.0F ? roughnessOfExponent(exponent) : kUnsaid;
+  }
 
   // Emission brighter than 1 is a colour and a strength.
   glm::vec3 emissive = colour(source, AI_MATKEY_COLOR_EMISSIVE).value_or(glm::vec3(0.0F));
