@@ -123,7 +123,7 @@ class Builder : public nlohmann::json_sax<Json> {
       level.value->push_back(std::move(value));
       return &level.value->back();
     }
-    appendMember(*level.value, std::move(level.key), std::move(value));
+    appendMember(*level.value, level.key, std::move(value));  // pointer() needs the key, too
     return &level.value->get_ref<Json::object_t&>().back().second;
   }
 

@@ -1,10 +1,11 @@
 #include "core/material/parameter_docs.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
 #include "core/base/json_text.h"
-#include "core/base/number_format.h"
 #include "core/material/parameter_table.h"
 #include "core/material/preset_io.h"
 #include "core/material/value_json.h"
@@ -14,7 +15,7 @@ namespace {
 
 bool hasRange(const ParameterRow& row) { return row.type != ParameterType::Enum && row.type != ParameterType::Bool; }
 
-std::string range(float lowest, float highest) { return shortestDecimal(lowest) + ".." + shortestDecimal(highest); }
+std::string range(float lowest, float highest) { return fmt::format("{}..{}", lowest, highest); }
 
 std::string defaultText(const ParameterRow& row) { return parameterToText(row, row.defaultValue()); }
 
