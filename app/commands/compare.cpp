@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 
 #include "app/commands/commands.h"
@@ -13,6 +14,8 @@
 namespace dermis::cli {
 namespace {
 
+constexpr std::array<std::string_view, 1> kHeatMapExtensions = {".png"};
+
 struct CompareOptions {
   std::string a, b, heatMap;
   double tolerance = -1.0;
@@ -21,7 +24,8 @@ struct CompareOptions {
 
 Outcome<int> compare(const CompareOptions& options) {
   if (!options.heatMap.empty())
-    if (const auto fine = checkOutputFile(options.heatMap, {".png"}); !fine) return tl::unexpected(fine.error());
+    if (const auto fine = checkOutputFile(options.heatMap, kHeatMapExtensions); !fine)
+      return tl::unexpected(fine.error());
   const Result<const Importer*> module = importer();
   if (!module) return failure(module.error());
   Warnings warnings;

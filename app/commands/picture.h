@@ -1,6 +1,7 @@
 // One still: rendered to convergence, read back, written.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -21,8 +22,8 @@ struct PictureRequest {
 };
 
 /// Endings that a picture may have.
-inline constexpr std::initializer_list<std::string_view> kPictureExtensions = {".png", ".jpg",  ".jpeg",
-                                                                               ".tif", ".tiff", ".exr"};
+inline constexpr std::array<std::string_view, 6> kPictureExtensions = {".png", ".jpg",  ".jpeg",
+                                                                       ".tif", ".tiff", ".exr"};
 
 /// The picture's layers in memory: display-encoded through the scene's view, or scene-linear where that is Raw and the
 /// file an EXR.

@@ -44,7 +44,7 @@ int report(const Failure& failure) {
   return failure.exitCode;
 }
 
-Outcome<void> checkOutputFile(const fs::path& path, std::initializer_list<std::string_view> extensions) {
+Outcome<void> checkOutputFile(const fs::path& path, std::span<const std::string_view> extensions) {
   const std::string extension = extensionOf(path);
   if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end()) {
     std::string known;

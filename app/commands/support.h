@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
-#include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -35,7 +35,7 @@ int report(const Failure& failure);
 /// Whether a file can be put there, asked before the work: the extension is one of `extensions` (".png"), the folder
 /// exists and can be written. Fails with 2 and 1.
 [[nodiscard]] Outcome<void> checkOutputFile(const std::filesystem::path& path,
-                                            std::initializer_list<std::string_view> extensions);
+                                            std::span<const std::string_view> extensions);
 
 /// $XDG_CACHE_HOME/dermis or ~/.cache/dermis; empty where neither can be written: then nothing is cached.
 [[nodiscard]] std::filesystem::path cacheFolder();
