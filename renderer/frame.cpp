@@ -93,6 +93,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   m_noVertices.bind();
 
   if (drawsSample) {
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // the environment's faces meet without a seam
     // Reversed depth in 0..1: see cameraMatrices.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     uploadFrameBlock(frame, statistics);
@@ -211,7 +212,11 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   // Until a still picture has enough samples of its own to be smooth, it is smoothed like a moving one: no flicker at
   // rest.
   constexpr int kSmoothSamples = 4;
-  input.edgeFilter = !request.exactDisplay && (request.moving ? m_software : m_samples < kSmoothSamples);
+  if (!request.exactDisplay && (request.moving ? m_software : m_samples < kSmoothSamples)) {
+    const bool isOnlyModel = !hasVisibleLamps(frame.scene);
+    input.edgeFilter = isOnlyModel ? screenArea(frame.camera, frame.scene.model->bounds, request.size)
+                                   : PixelArea{glm::ivec2(0), request.size};
+  }
   input.dither = true;
   m_display.draw(m_shaders, m_messages, request.view, input, size);
 }

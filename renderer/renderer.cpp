@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "frame.h"
 #include "gl/debug_output.h"
@@ -62,6 +63,7 @@ class GlRenderer final : public Renderer {
     Warnings messages;
     const bool left = m_jobs.run(budgetMs, messages);
     for (const std::string& message : messages) m_messages.say(message);
+    if (m_failed.empty() && !messages.empty()) m_failed = messages.front();
     return left;
   }
   std::pair<std::string, double> jobProgress() const override { return m_jobs.progress(); }
@@ -69,7 +71,13 @@ class GlRenderer final : public Renderer {
     m_jobs.cancel();
     m_resources.environmentCancelled();
   }
-  Result<void> finishJobs() override { return m_jobs.finish(); }
+  Result<void> finishJobs() override {
+    Result<void> finished = m_jobs.finish();
+    // What went wrong in an earlier runJobs() is told here too: whoever finishes wants to know that all is there.
+    const std::string failed = std::exchange(m_failed, {});
+    if (finished && !failed.empty()) return runtimeError(failed);
+    return finished;
+  }
 
   Image readAov(Aov aov) override { return m_frame.readAov(aov); }
   void keepAovs(const std::vector<Aov>& aovs) override {
@@ -129,6 +137,7 @@ class GlRenderer final : public Renderer {
   gl::ShaderLibrary m_shaders;
   SceneResources m_resources;
   mutable Frame m_frame;  ///< collecting the timers' results changes it
+  std::string m_failed;   ///< the first job's error that finishJobs() has not told yet
   gl::JobQueue m_jobs;    ///< after what its jobs work on, so that it goes first
   RenderStatistics m_statistics;
   std::uint64_t m_sceneRevision = 0, m_shaderRevision = 0;

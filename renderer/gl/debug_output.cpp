@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace dermis::gl {
@@ -10,13 +12,24 @@ namespace {
 
 constexpr std::size_t kKeptMessages = 64;
 
+/// Everybody who listens: a renderer and a test may listen to one context, and either may go first. The driver may call
+/// from a thread of its own.
+struct Listeners {
+  std::mutex mutex;
+  std::vector<DebugOutput*> all;
+};
+Listeners& listeners() {
+  static Listeners instance;
+  return instance;
+}
+
 // GLAPIENTRY: the driver calls this.
 void GLAPIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei length,
-                          const GLchar* text, const void* user) {
+                          const GLchar* text, const void* /*user*/) {
   if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
-  // GL hands back the pointer as const; the listener was registered as a mutable object.
-  auto* listener = static_cast<DebugOutput*>(const_cast<void*>(user));
-  listener->record(length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length)));
+  const std::string message = length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
+  const std::lock_guard lock(listeners().mutex);
+  for (DebugOutput* listener : listeners().all) listener->record(message);
 }
 
 }  // namespace
@@ -28,12 +41,18 @@ DebugOutput::DebugOutput(bool synchronous) {
   else
     glDisable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DEBUG_SEVERITY_NOTIFICATION, 0, nullptr, GL_FALSE);
-  glDebugMessageCallback(onMessage, this);
+  glDebugMessageCallback(onMessage, nullptr);
   while (glGetError() != GL_NO_ERROR) {  // what happened before us is not ours
   }
+  const std::lock_guard lock(listeners().mutex);
+  listeners().all.push_back(this);
 }
 
-DebugOutput::~DebugOutput() { glDebugMessageCallback(nullptr, nullptr); }
+DebugOutput::~DebugOutput() {
+  // The callback stays with the context; with nobody listening it does nothing.
+  const std::lock_guard lock(listeners().mutex);
+  std::erase(listeners().all, this);
+}
 
 void DebugOutput::record(std::string message) {
   ++m_count;

@@ -68,4 +68,28 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, glm::i
   return m;
 }
 
+PixelArea screenArea(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size) {
+  const PixelArea whole{glm::ivec2(0), size};
+  if (bounds.empty()) return whole;
+  glm::vec2 lower(1.0F);
+  glm::vec2 upper(-1.0F);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::vec3 point((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
+                          (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
+                          (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
+    const glm::vec4 clip = camera.viewProjection * glm::vec4(point, 1.0F);
+    if (clip.w <= 0.0F) return whole;
+    lower = glm::min(lower, glm::vec2(clip) / clip.w);
+    upper = glm::max(upper, glm::vec2(clip) / clip.w);
+  }
+  // Two pixels for filters that look at neighbours.
+  const glm::vec2 scale = 0.5F * glm::vec2(size);
+  PixelArea area;
+  area.lower = glm::ivec2(glm::floor((glm::clamp(lower, -1.0F, 1.0F) + 1.0F) * scale)) - 2;
+  area.upper = glm::ivec2(glm::ceil((glm::clamp(upper, -1.0F, 1.0F) + 1.0F) * scale)) + 2;
+  area.lower = glm::clamp(area.lower, glm::ivec2(0), size);
+  area.upper = glm::clamp(area.upper, area.lower, size);
+  return area;
+}
+
 }  // namespace dermis

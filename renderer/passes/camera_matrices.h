@@ -22,6 +22,13 @@ struct CameraMatrices {
 [[nodiscard]] CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, glm::ivec2 size,
                                             glm::vec2 jitter, std::span<const glm::vec3> extra = {});
 
+/// Pixels from `lower` up to, not including, `upper`, counted from the lower left.
+struct PixelArea {
+  glm::ivec2 lower{0}, upper{0};
+};
+/// A rectangle that holds all of `bounds` on the screen; the whole screen where that reaches behind the camera.
+[[nodiscard]] PixelArea screenArea(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size);
+
 /// Sample `index` of the R2 sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"), −½..½;
 /// the first is (0, 0).
 [[nodiscard]] glm::vec2 pixelJitter(int index);

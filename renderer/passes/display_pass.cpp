@@ -1,5 +1,6 @@
 #include "passes/display_pass.h"
 
+#include <array>
 #include <cmath>
 
 namespace dermis {
@@ -66,7 +67,29 @@ bool DisplayPass::draw(gl::ShaderLibrary& shaders, MessageLog& messages, const V
                        const DisplayInput& input, glm::ivec2 size) {
   View* view = viewFor(settings, messages);
   if (view == nullptr) return false;
-  const bool exact = input.exact || view->transform->isSimple();
+  glViewport(0, 0, size.x, size.y);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  const PixelArea whole{glm::ivec2(0), size};
+  if (!input.edgeFilter) return drawAreas(shaders, messages, *view, settings, input, size, false, {&whole, 1});
+
+  // Only the model has edges: what surrounds its rectangle is shown as it is.
+  const glm::vec2 scale = glm::vec2(size) / glm::vec2(input.image->width(), input.image->height());
+  const glm::ivec2 lower(glm::floor(glm::vec2(input.edgeFilter->lower) * scale));
+  const glm::ivec2 upper = glm::min(glm::ivec2(glm::ceil(glm::vec2(input.edgeFilter->upper) * scale)), size);
+  const PixelArea inside{lower, upper};
+  const std::array<PixelArea, 4> around = {PixelArea{{0, 0}, {size.x, lower.y}}, PixelArea{{0, upper.y}, size},
+                                           PixelArea{{0, lower.y}, {lower.x, upper.y}},
+                                           PixelArea{{upper.x, lower.y}, {size.x, upper.y}}};
+  return drawAreas(shaders, messages, *view, settings, input, size, true, {&inside, 1}) &&
+         drawAreas(shaders, messages, *view, settings, input, size, false, around);
+}
+
+bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, View& view, const ViewSettings& settings,
+                            const DisplayInput& input, glm::ivec2 size, bool edgeFilter,
+                            std::span<const PixelArea> areas) {
+  const bool exact = input.exact || view.transform->isSimple();
   const glm::ivec2 imageSize(input.image->width(), input.image->height());
 
   gl::ProgramSources sources;
@@ -74,13 +97,13 @@ bool DisplayPass::draw(gl::ShaderLibrary& shaders, MessageLog& messages, const V
   sources.fragment = "display.frag";
   if (exact) {
     sources.defines.emplace_back("DERMIS_EXACT");
-    sources.generated["generated/display_exact.glsl"] = view->transform->exactProgram().glsl;
-    prepareExact(*view);
+    sources.generated["generated/display.glsl"] = view.transform->exactProgram().glsl;
+    prepareExact(view);
   } else {
-    sources.generated["generated/display_baked.glsl"] = displayBakedGlsl(kFirstViewUnit);
-    prepareLut(*view);
+    sources.generated["generated/display.glsl"] = displayBakedGlsl(kFirstViewUnit);
+    prepareLut(view);
   }
-  if (input.edgeFilter) sources.defines.emplace_back("DERMIS_EDGE_FILTER");
+  if (edgeFilter) sources.defines.emplace_back("DERMIS_EDGE_FILTER");
   if (size != imageSize) sources.defines.emplace_back("DERMIS_SCALED");
   auto found = shaders.program(sources);
   if (!found) {
@@ -92,14 +115,14 @@ bool DisplayPass::draw(gl::ShaderLibrary& shaders, MessageLog& messages, const V
   input.image->bind(kImageUnit);
   if (exact) {
     GLuint unit = kFirstViewUnit;
-    for (std::size_t i = 0; i < view->textures.size(); ++i, ++unit) {
-      glUniform1i(program.uniform(view->transform->exactProgram().textures[i].samplerName), static_cast<GLint>(unit));
-      view->textures[i].bind(unit);
+    for (std::size_t i = 0; i < view.textures.size(); ++i, ++unit) {
+      glUniform1i(program.uniform(view.transform->exactProgram().textures[i].samplerName), static_cast<GLint>(unit));
+      view.textures[i].bind(unit);
     }
   } else {
-    view->lut.bind(kFirstViewUnit);
+    view.lut.bind(kFirstViewUnit);
   }
-  const bool raw = view->transform->isRaw();
+  const bool raw = view.transform->isRaw();
   glUniform1f(program.uniform("u_weight"), input.weight);
   glUniform1f(program.uniform("u_exposure"), raw ? 1.0F : std::exp2(settings.exposureStops));
   glUniform1f(program.uniform("u_dither"), input.dither && !raw ? 1.0F / 255.0F : 0.0F);
@@ -107,11 +130,14 @@ bool DisplayPass::draw(gl::ShaderLibrary& shaders, MessageLog& messages, const V
   const glm::vec2 scale = glm::vec2(imageSize) / glm::vec2(size);
   glUniform4f(program.uniform("u_source"), scale.x, scale.y, static_cast<float>(imageSize.x),
               static_cast<float>(imageSize.y));
-  glViewport(0, 0, size.x, size.y);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  gl::drawFullScreen();
+  glEnable(GL_SCISSOR_TEST);
+  for (const PixelArea& area : areas) {
+    const glm::ivec2 extent = area.upper - area.lower;
+    if (extent.x <= 0 || extent.y <= 0) continue;
+    glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
+    gl::drawFullScreen();
+  }
+  glDisable(GL_SCISSOR_TEST);
   return true;
 }
 

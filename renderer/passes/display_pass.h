@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,12 +17,12 @@ namespace dermis {
 
 /// What is shown, and how.
 struct DisplayInput {
-  const gl::Texture* image = nullptr;  ///< premultiplied scene-linear radiance, a sum of samples
-  float weight = 1.0F;                 ///< 1 / samples
-  bool exact = false;                  ///< the view's own program rather than the baked LUT
-  bool edgeFilter = false;
-  bool straightAlpha = false;  ///< unassociated, for files; else premultiplied, for windows
-  bool dither = false;         ///< for 8-bit targets
+  const gl::Texture* image = nullptr;   ///< premultiplied scene-linear radiance, a sum of samples
+  float weight = 1.0F;                  ///< 1 / samples
+  bool exact = false;                   ///< the view's own program rather than the baked LUT
+  std::optional<PixelArea> edgeFilter;  ///< where stair steps are smoothed, pixels of the image
+  bool straightAlpha = false;           ///< unassociated, for files; else premultiplied, for windows
+  bool dither = false;                  ///< for 8-bit targets
 };
 
 /// Keeps the views in use ready: their programs' text and textures.
@@ -44,6 +46,8 @@ class DisplayPass {
     std::vector<gl::Texture> textures;  ///< of the exact program
     bool exactReady = false;
   };
+  bool drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, View& view, const ViewSettings& settings,
+                 const DisplayInput& input, glm::ivec2 size, bool edgeFilter, std::span<const PixelArea> areas);
   View* viewFor(const ViewSettings& settings, MessageLog& messages);
   static void prepareExact(View& view);
   static void prepareLut(View& view);

@@ -1,10 +1,9 @@
 // From scene-linear radiance to the display: mean of the samples, exposure, view transform, dither. The only place that
 // encodes for a display.
+#include "generated/display.glsl"
 #ifdef DERMIS_EXACT
-#include "generated/display_exact.glsl"
 vec3 encode(vec3 scene) { return displayExact(vec4(scene, 1.0)).rgb; }
 #else
-#include "generated/display_baked.glsl"
 vec3 encode(vec3 scene) { return displayBaked(scene); }
 #endif
 

@@ -1,10 +1,9 @@
 // Smooths stair steps in a moving picture where four samples a pixel would cost too much: after Lottes 2009, "FXAA", without its
-// search along the edge. Contrast is judged on compressed scene luminance; only pixels on an edge fetch and encode more.
+// search along the edge. Contrast is relative, so that it needs no tone curve; only pixels on an edge fetch and encode more.
 
 float edgeLuma(vec2 pixel) {
   vec4 scene = sceneAt(pixel);
-  float luminance = dot(scene.rgb, vec3(0.2126, 0.7152, 0.0722)) * u_exposure;
-  return sqrt(luminance / (1.0 + luminance)) + 0.25 * scene.a;
+  return dot(scene, vec4(0.2126, 0.7152, 0.0722, 0.25));
 }
 
 // Between texels.
@@ -22,11 +21,12 @@ vec4 edgeFiltered(vec2 pixel) {
   float l_ne = edgeLuma(ne), l_nw = edgeLuma(nw), l_se = edgeLuma(se), l_sw = edgeLuma(sw);
   float l_min = min(min(l_ne, l_nw), min(l_se, l_sw));
   float l_max = max(max(l_ne, l_nw), max(l_se, l_sw));
-  if (l_max - l_min < max(0.06, 0.15 * l_max)) return centre;
+  // A step of a fifth, unless it is too dark to be seen.
+  if (l_max - l_min < 0.1 * (l_max + l_min) + 0.004 / u_exposure) return centre;
 
   // Across the edge the luminance changes, along it it doesn't: blend along it.
   vec2 along = vec2((l_se + l_sw) - (l_ne + l_nw), (l_ne + l_se) - (l_nw + l_sw));
-  float shortest = min(abs(along.x), abs(along.y)) + max((l_ne + l_nw + l_se + l_sw) / 32.0, 1.0 / 128.0);
+  float shortest = min(abs(along.x), abs(along.y)) + max((l_ne + l_nw + l_se + l_sw) / 32.0, 1e-4);
   along = clamp(along / shortest, -2.0, 2.0);
   vec4 a = displayed(sceneBetween(clamp(pixel + along * 0.5, least, most)));
   vec4 b = displayed(sceneBetween(clamp(pixel - along * 0.5, least, most)));
