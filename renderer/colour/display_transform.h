@@ -14,11 +14,11 @@ namespace dermis {
 
 /// A texture that an exact program needs. Values are 32-bit floats.
 struct DisplayTexture {
-  std::string samplerName;    ///< as the GLSL text declares it
-  int dimensions = 2;         ///< 1, 2 or 3
+  std::string samplerName;  ///< as the GLSL text declares it
+  int dimensions = 2;       ///< 1, 2 or 3
   int width = 1, height = 1, depth = 1;
-  int channels = 3;           ///< 1 or 3
-  bool nearest = false;       ///< else linear
+  int channels = 3;      ///< 1 or 3
+  bool nearest = false;  ///< else linear
   std::vector<float> values;
 };
 
