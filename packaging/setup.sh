@@ -105,7 +105,7 @@ dermis_build_output() {
   local line progress=''
   while IFS= read -r line; do
     case $line in
-      'ninja: no work to do.' | 'ninja: Entering directory'* | '[0/1] Re-checking globbed directories'*) continue ;;
+      'ninja: no work to do.' | 'ninja: Entering directory'* | '['*'] Re-checking globbed directories'*) continue ;;
       '-- '*) continue ;;
     esac
     if [[ -t 2 && $line == '['[0-9]* ]]; then
