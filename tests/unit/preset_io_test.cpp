@@ -262,6 +262,16 @@ TEST(PresetIo, FilesThatCannotBeReadOrWritten) {
   EXPECT_THAT(loadPreset("builtin:none", warnings).error().message, HasSubstr("builtin:none"));
 }
 
+TEST(PresetIo, AFileNameThatJsonCannotHoldIsRefusedRatherThanChanged) {
+  const TemporaryFolder folder;
+  Material material;
+  material.texture(TextureSlot::Albedo).path = folder / "a\xff.png";
+  const auto saved = savePreset(folder / "a.json", material);
+  ASSERT_FALSE(saved.has_value());
+  EXPECT_THAT(saved.error().message, HasSubstr("not UTF-8"));
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
 // ---- what the program carries
 
 TEST(BuiltinPresets, AreAsTheProgramWouldWriteThem) {

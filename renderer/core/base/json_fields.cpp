@@ -53,8 +53,8 @@ std::optional<float> readNumber(const Json& value, const std::string& pointer, J
     report.refuse(pointer, "must be a number, not " + std::string(typeName(value)));
     return std::nullopt;
   }
-  const auto number = static_cast<float>(value.get<double>());
-  if (std::isfinite(number)) return number;
+  const auto number = value.get<double>();
+  if (std::abs(number) <= std::numeric_limits<float>::max()) return static_cast<float>(number);
   report.refuse(pointer, "is too large for a 32-bit number");
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/base/file_io.h"
 #include "core/base/number_format.h"
 
 namespace dermis {
@@ -248,6 +249,15 @@ void append(std::string& out, const Json& value, std::size_t indentation, bool i
   out += value.is_object() ? '}' : ']';
 }
 
+/// Whether all keys and strings are UTF-8: a file's name may hold any bytes.
+bool holdsOnlyUtf8(const Json& value) {
+  if (value.is_string()) return isUtf8(value.get_ref<const std::string&>());
+  if (!value.is_structured()) return true;
+  for (const auto& [key, member] : value.items())
+    if (!isUtf8(key) || !holdsOnlyUtf8(member)) return false;
+  return true;
+}
+
 }  // namespace
 
 Result<Json> parseJson(std::string_view text, const std::string& name) {
@@ -261,6 +271,13 @@ std::string writeJson(const Json& value) {
   append(out, value, 0, true);
   out += '\n';
   return out;
+}
+
+Result<void> saveJson(const std::filesystem::path& path, const Json& value) {
+  if (!holdsOnlyUtf8(value))
+    return runtimeError(path.string() +
+                        " cannot be written: a name or path in it is not UTF-8, which JSON must be; rename that file");
+  return writeFileAtomically(path, writeJson(value));
 }
 
 void appendMember(Json& object, std::string key, Json value) {

@@ -1,6 +1,7 @@
 // Our JSON files as text: a strict reader that says where it stopped, a writer that is the same on every machine.
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@ inline constexpr int kMaxJsonDepth = 64;
 /// Text with two spaces of indentation and a line feed at its end. Numbers are their shortest decimals; a container
 /// without objects in it stands on one line where it fits. What isn't UTF-8 in a string becomes U+FFFD.
 [[nodiscard]] std::string writeJson(const Json& value);
+
+/// Writes that text beside the target and renames. Errors: Runtime, as writeFileAtomically; a string that isn't UTF-8.
+[[nodiscard]] Result<void> saveJson(const std::filesystem::path& path, const Json& value);
 
 /// Adds a member whose key is known to be new: ordered_json's own operator[] looks through all keys first, which makes
 /// building a large object quadratic.

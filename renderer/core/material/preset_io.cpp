@@ -5,7 +5,6 @@
 
 #include "core/base/file_io.h"
 #include "core/base/file_reference.h"
-#include "core/base/number_format.h"
 #include "core/material/builtin_presets.h"
 #include "core/material/parameter_table.h"
 #include "core/material/value_json.h"
@@ -213,6 +212,17 @@ Json materialToJson(const Material& material, const fs::path& folder) {
   return json;
 }
 
+namespace {
+
+/// A preset on its own also says who wrote it first.
+Json presetToJson(const Material& material, const fs::path& folder) {
+  Material complete = material;
+  if (!complete.metadata.contains("created_with")) complete.metadata["created_with"] = "dermis " DERMIS_VERSION;
+  return materialToJson(complete, folder);
+}
+
+}  // namespace
+
 Result<Material> readPreset(std::string_view text, const std::string& name, const fs::path& folder,
                             Warnings& warnings) {
   const auto json = parseJson(text, name);
@@ -234,13 +244,11 @@ Result<Material> loadPreset(const fs::path& path, Warnings& warnings) {
 }
 
 std::string writePreset(const Material& material, const fs::path& presetFolder) {
-  Material complete = material;
-  if (!complete.metadata.contains("created_with")) complete.metadata["created_with"] = "dermis " DERMIS_VERSION;
-  return writeJson(materialToJson(complete, presetFolder));
+  return writeJson(presetToJson(material, presetFolder));
 }
 
 Result<void> savePreset(const fs::path& path, const Material& material) {
-  return writeFileAtomically(path, writePreset(material, fs::absolute(path).parent_path()));
+  return saveJson(path, presetToJson(material, fs::absolute(path).parent_path()));
 }
 
 }  // namespace dermis

@@ -19,6 +19,9 @@ namespace fs = std::filesystem;
 constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr Range kNotNegative{0.0F, kLargest};
 constexpr Range kStops{-32.0F, 32.0F};
+/// More than any model has; a file of nothing but slots or parts would fill the memory.
+constexpr std::size_t kMaxSlots = 4096;
+constexpr std::size_t kMaxParts = 1024;
 
 /// What reading needs everywhere: where paths start, and the presets read so far (several slots often share one).
 struct SceneReader {
@@ -79,8 +82,8 @@ void SceneReader::readModel(JsonFields& root, Scene& scene) {
 
   if (const Json* parts = fields.find("parts"); parts != nullptr) {
     const std::string place = fields.pointerTo("parts");
-    if (!parts->is_array() || parts->empty())
-      report.refuse(place, "must be an array of at least one file, each with its path");
+    if (!parts->is_array() || parts->empty() || parts->size() > kMaxParts)
+      report.refuse(place, "must be an array of 1 to " + std::to_string(kMaxParts) + " files, each with its path");
     else
       for (std::size_t i = 0; i < parts->size(); ++i)
         model.parts.push_back(readPart((*parts)[i], pointerStep(place, i)));
@@ -114,6 +117,9 @@ void SceneReader::readMaterials(JsonFields& root, Scene& scene) {
   const std::string pointer = root.pointerTo("materials");
   if (!json->is_object())
     return report.refuse(pointer, "must be an object of slots, not " + std::string(typeName(*json)));
+  if (json->size() > kMaxSlots)
+    return report.refuse(pointer, "has " + std::to_string(json->size()) + " slots; at most " +
+                                      std::to_string(kMaxSlots) + " are possible");
   for (const auto& [slot, value] : json->items())
     scene.materials[slot] = readBinding(value, pointerStep(pointer, slot));
 }

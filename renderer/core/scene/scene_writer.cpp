@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/file_io.h"
 #include "core/base/file_reference.h"
 #include "core/base/json_text.h"
 #include "core/base/number_format.h"
@@ -197,7 +196,7 @@ std::string writeScene(const Scene& scene, const fs::path& sceneFolder) {
 }
 
 Result<void> saveScene(const fs::path& path, const Scene& scene) {
-  return writeFileAtomically(path, writeScene(scene, fs::absolute(path).parent_path()));
+  return saveJson(path, sceneToJson(scene, fs::absolute(path).parent_path()));
 }
 
 }  // namespace dermis
