@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "app/commands/commands.h"
+#ifdef DERMIS_EDITOR
 #include "app/gui.h"
+#endif
 
 namespace {
 
@@ -91,7 +93,12 @@ int main(int argc, char** argv) {
           return dermis::cli::report(
               {dermis::cli::kWrongUsage,
                fmt::format("the editor takes files only, not {}; see dermis --help", file.string())});
+#ifdef DERMIS_EDITOR
       return dermis::runEditor(argc, argv, std::move(files));
+#else
+      return dermis::cli::report(
+          {dermis::cli::kFailed, "this build of dermis has no editor; see dermis --help for its commands"});
+#endif
     }
     return runCommand(argc, argv);
   } catch (const std::bad_alloc&) {
