@@ -13,9 +13,12 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(ParameterDocs, ThePageInDocsIsTheProgramsOwn) {
-  // To write the page anew: `dermis parameters --markdown > docs/parameters.md`.
-  EXPECT_EQ(test::contentOf(std::string(DERMIS_SOURCE_DIR) + "/docs/parameters.md"), parametersAsMarkdown());
+// To write the two files anew: `dermis parameters --markdown > docs/parameters.md` and
+// `dermis parameters --schema > resources/schema/dermis.material.schema.json`.
+TEST(ParameterDocs, TheCommittedFilesAreTheProgramsOwn) {
+  const std::string source = DERMIS_SOURCE_DIR;
+  EXPECT_EQ(test::contentOf(source + "/docs/parameters.md"), parametersAsMarkdown());
+  EXPECT_EQ(test::contentOf(source + "/resources/schema/dermis.material.schema.json"), parametersAsJsonSchema());
 }
 
 TEST(ParameterDocs, EveryRowIsInEveryDocument) {
