@@ -18,7 +18,7 @@ running != "" && /\[  SKIPPED \] .* \([0-9]+ ms\)$/ { skipped_names[++n_skipped]
 running != "" && /\[  FAILED  \] .* \([0-9]+ ms\)$/ { block = block $0 "\n"; finish("failed"); next }
 running != "" { block = block $0 "\n"; next }
 # Between the tests: only what is not GoogleTest's own (a fixture's trouble, a sanitizer's report at the end).
-/^\[[-= A-Z]+\]/ || /^$/ || /^Note: / || / FAILED TESTS?$/ || /^ +YOU HAVE / { next }
+/^Running main\(\) from / || /^\[[-= A-Z]+\]/ || /^$/ || /^Note: / || / FAILED TESTS?$/ || /^ +YOU HAVE / { next }
 { print; fflush() }
 
 END {
