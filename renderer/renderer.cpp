@@ -161,7 +161,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& option
     return runtimeError("OpenGL 4.5 is needed and this driver offers " + std::to_string(version / 10) + "." +
                         std::to_string(version % 10) +
                         "; install a newer driver, or run with LIBGL_ALWAYS_SOFTWARE=1 for Mesa's software renderer.");
-  return std::make_unique<GlRenderer>(options, readGlInfo(options.platform));
+  GlInfo info = readGlInfo(options.platform);
+  info.software = options.software.value_or(info.software);
+  return std::make_unique<GlRenderer>(options, std::move(info));
 }
 
 }  // namespace dermis

@@ -32,7 +32,8 @@ struct RendererOptions {
   std::filesystem::path cacheFolder;  ///< for baked environments; empty: no disk cache
   bool failOnGlError = false;         ///< tests: any GL error or high-severity debug message is recorded as a failure
   std::string platform = "widget";
-  int maximumTextureSize = 0;  ///< larger maps are averaged down, with a message; 0: what the driver takes
+  int maximumTextureSize = 0;    ///< larger maps are averaged down, with a message; 0: what the driver takes
+  std::optional<bool> software;  ///< tests: overrides what the driver's name says, and with it how edges are smoothed
 };
 
 /// One frame to draw.
