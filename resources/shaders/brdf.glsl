@@ -42,6 +42,13 @@ float V_SmithGGXCorrelated(float n_dot_v, float n_dot_l, float root_v, float roo
   return 0.5 / max(n_dot_l * root_v + n_dot_v * root_l, 1e-12);
 }
 
+// D_GGX · V_SmithGGXCorrelated with one division for both.
+float DV_GGX(float n_dot_h2, float sin2_n_h, float n_dot_v, float n_dot_l, float alpha2, float root_v) {
+  float spread = sin2_n_h + n_dot_h2 * alpha2;
+  float masking = n_dot_l * root_v + n_dot_v * smithRoot(n_dot_l, alpha2);
+  return 0.5 * kInversePi * alpha2 / max(spread * spread * masking, 1e-30);
+}
+
 // Schlick's approximation of Smith's one-sided masking (Schlick 1994, equation 19), with the k of Karis 2013, "Real
 // Shading in Unreal Engine 4", equation 4 and the text below it.
 float G1_SchlickGGX(float n_dot_x, float k) { return n_dot_x / max(n_dot_x * (1.0 - k) + k, 1e-12); }
@@ -59,21 +66,31 @@ float k_SchlickGGXImage(float perceptual_roughness) { return perceptual_roughnes
 // (Karis 2013), so dfg.x + dfg.y is the albedo of the lobe where every facet is a perfect mirror.
 vec3 energyCompensation(vec3 f0, vec2 dfg) { return vec3(1.0) + f0 * (1.0 / max(dfg.x + dfg.y, 1e-4) - 1.0); }
 
-// Share of a uniform hemisphere's light that the compensated lobe sends towards the direction that dfg was read for.
-vec3 E_GGX(vec3 f0, vec2 dfg) { return (f0 * dfg.x + dfg.y) * energyCompensation(f0, dfg); }
+// The compensated lobe's directional albedo, (f0 x + y)(1 + f0 (1/E_ss − 1)) with dfg = (x, y) and E_ss = x + y, is a quadratic in f0 that is
+// 1 at f0 = 1: y + f0 ((1 − y − g) + f0 g) with g = x (1/E_ss − 1). So (y, g) say it all, and may be mixed and averaged before
+// f0 is known.
+vec2 albedoTerms(vec2 dfg) { return vec2(dfg.y, dfg.x * (1.0 / max(dfg.x + dfg.y, 1e-4) - 1.0)); }
+// `total` is the sum of the weights that the terms were mixed with.
+vec3 albedoOfTerms(vec3 f0, vec2 terms, float total) { return terms.x + f0 * ((total - terms.x - terms.y) + f0 * terms.y); }
 
-// Cosine average of E_GGX over the hemisphere, ∫ E(μ) 2μ dμ. With x = scale, y = bias and E_ss = x + y,
-// E = (f0 x + y)(1 + f0 (1/E_ss − 1)) is a quadratic in f0 that is 1 at f0 = 1, so two functions of roughness say it all:
-// ⟨y⟩ and ⟨x (1/E_ss − 1)⟩. Both are fits to quadrature of the height-correlated lobe, within 2.5e-4 over 0.02..1.
-vec3 E_GGX_average(vec3 f0, float perceptual_roughness) {
+// Share of a uniform hemisphere's light that the compensated lobe sends towards the direction that dfg was read for.
+vec3 E_GGX(vec3 f0, vec2 dfg) { return albedoOfTerms(f0, albedoTerms(dfg), 1.0); }
+
+// Cosine averages of albedoTerms over the hemisphere, ∫ · 2μ dμ: fits to quadrature of the height-correlated lobe, within 2.5e-4 for
+// perceptual roughness 0.02..1.
+vec2 averageAlbedoTerms(float perceptual_roughness) {
   float r = perceptual_roughness;
   float bias = 0.047168 + r * (0.018574 + r * (-0.142169 + r * (-0.608597 + r * (2.002675 + r * (-1.970591 + r * 0.655811)))));
   float gain = -0.000215 + r * (0.011425 + r * (-0.175414 + r * (0.879277 + r * (2.224502 + r * (-3.791919 + r * 1.440949)))));
-  return bias + f0 * ((1.0 - bias - gain) + f0 * gain);
+  return vec2(bias, gain);
+}
+vec3 E_GGX_average(vec3 f0, float perceptual_roughness) {
+  return albedoOfTerms(f0, averageAlbedoTerms(perceptual_roughness), 1.0);
 }
 
 // Specular occlusion from ambient occlusion: Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", listing 26. 1 where ao is 1.
 float specularOcclusion(float n_dot_v, float ao, float alpha) {
+  if (ao >= 1.0) return 1.0;
   return clamp(pow(n_dot_v + ao, exp2(-16.0 * alpha - 1.0)) - 1.0 + ao, 0.0, 1.0);
 }
 

@@ -16,7 +16,7 @@ const int kLightSphere = 3;
 const int kLightRect = 4;
 
 struct LightSample {
-  vec3 to_light;    // unit
+  vec3 to_light;    // unit; shorter inside a sphere light
   vec3 irradiance;  // on a surface that faces the light
 };
 
@@ -37,11 +37,11 @@ LightSample lightAt(int index, vec3 position) {
     return result;
   }
   vec3 offset = light.position_type.xyz - position;
-  float distance2 = dot(offset, offset);
   // A light inside the surface would be infinitely bright; a sphere light is never nearer than its own surface.
   float nearest = type == kLightSphere ? light.size.x * light.size.x : 0.0;
-  result.to_light = offset * inversesqrt(max(distance2, 1e-12));
-  result.irradiance = light.radiant_inner.rgb / max(distance2, max(nearest, 1e-8));
+  float inverse_distance = inversesqrt(max(dot(offset, offset), max(nearest, 1e-8)));
+  result.to_light = offset * inverse_distance;
+  result.irradiance = light.radiant_inner.rgb * (inverse_distance * inverse_distance);
   float cos_angle = -dot(result.to_light, light.direction_outer.xyz);
   if (type == kLightSpot) result.irradiance *= spotFalloff(cos_angle, light.radiant_inner.w, light.direction_outer.w);
   if (type == kLightRect) result.irradiance *= max(cos_angle, 0.0);

@@ -1,5 +1,6 @@
-// Reading a material's maps through DrawBlock. Whether a map is there is a uniform, so the branch costs nothing to take and
-// no program is compiled when a map comes or goes.
+// Reading a material's maps through DrawBlock. Whether a map is there is a uniform, so that no program is compiled when a map comes
+// or goes. Software GL runs both sides of every branch and would fetch from maps that aren't there: it gets DERMIS_MAPS, the bits as a
+// constant.
 #ifndef DERMIS_MATERIAL_MAPS
 #define DERMIS_MATERIAL_MAPS
 
@@ -35,7 +36,11 @@ layout(binding = 10) uniform sampler2D u_map_thickness;
 layout(binding = 11) uniform sampler2D u_map_subsurface;
 layout(binding = 12) uniform sampler2D u_map_emissive;
 
+#ifdef DERMIS_MAPS
+bool hasMap(int slot) { return (DERMIS_MAPS & (1 << slot)) != 0; }
+#else
 bool hasMap(int slot) { return (u_map_bits.x & (1 << slot)) != 0; }
+#endif
 
 vec2 mapUv(int slot, vec2 uv) { return uv * u_maps[slot].transform.zw; }
 
@@ -54,6 +59,7 @@ vec4 colourMap(sampler2D map, int slot, vec2 uv) {
 
 // How much image light the occlusion map leaves: strength 0 ignores the map (glTF 2.0, occlusionTexture.strength).
 float occlusionMap(vec2 uv, float strength) {
+  if (!hasMap(kMapOcclusion)) return 1.0;
   return 1.0 + strength * (clamp(scalarMap(u_map_occlusion, kMapOcclusion, uv), 0.0, 1.0) - 1.0);
 }
 
@@ -95,9 +101,11 @@ vec3 mappedNormal(Surface s, float strength) {
 
 // The same with the tiling detail normal on top, where its mask lets it.
 vec3 mappedNormalWithDetail(Surface s, float strength, float detail_strength, float detail_tiling) {
-  if (!hasMap(kMapDetailNormal) || detail_strength == 0.0 || u_map_bits.z == 0) return mappedNormal(s, strength);
+  bool based = hasMap(kMapNormal), detailed = hasMap(kMapDetailNormal) && detail_strength != 0.0;
+  if (u_map_bits.z == 0 || !(based || detailed)) return facingNormal(s);
   vec3 base = vec3(0.0, 0.0, 1.0);
-  if (hasMap(kMapNormal)) base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
+  if (based) base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
+  if (!detailed) return worldNormal(s, base);
   float mask = clamp(scalarMap(u_map_detail_mask, kMapDetailMask, s.uv), 0.0, 1.0);
   vec2 uv = mapUv(kMapDetailNormal, s.uv) * detail_tiling;
   vec3 detail = tangentNormal(u_map_detail_normal, kMapDetailNormal, uv, detail_strength * mask);

@@ -103,7 +103,7 @@ class ModelsLayer : public GlTest {
 const std::string kLampBody = R"(
   vec3 n = vec3(0, 0, 1);
   LayerPoint p = layerPoint(layer(), n, a.xyz);
-  x = vec4(layerSpecular(layer(), p, b.xyz, b.z), 0);
+  x = vec4(layerSpecular(p, b.xyz, b.z), 0);
   y = vec4(bodyTransmittance(layer(), b.z) * p.body_norm, 0);)";
 
 TEST_F(ModelsLayer, LampIsItsTwin) {
@@ -139,13 +139,13 @@ TEST_F(ModelsLayer, ReciprocalAndNotNegative) {
     const auto got = run(c, R"(
   vec3 n = vec3(0, 0, 1);
   LayerPoint p = layerPoint(layer(), n, a.xyz), q = layerPoint(layer(), n, b.xyz);
-  vec3 compensated = layerSpecular(layer(), p, b.xyz, b.z);
+  vec3 compensated = layerSpecular(p, b.xyz, b.z);
   for (int i = 0; i < DERMIS_LOBES; ++i) {  // as without compensation
     p.at_normal[i] = q.at_normal[i] = layer().weight[i] * mix(layer().body_f0, layer().metal_f0, layer().metallic);
     p.at_grazing[i] = q.at_grazing[i] = layer().weight[i] - p.at_normal[i];
   }
-  vec3 there = layerSpecular(layer(), p, b.xyz, b.z) + bodyTransmittance(layer(), b.z) * p.body_norm / kPi;
-  vec3 back = layerSpecular(layer(), q, a.xyz, a.z) + bodyTransmittance(layer(), a.z) * q.body_norm / kPi;
+  vec3 there = layerSpecular(p, b.xyz, b.z) + bodyTransmittance(layer(), b.z) * p.body_norm / kPi;
+  vec3 back = layerSpecular(q, a.xyz, a.z) + bodyTransmittance(layer(), a.z) * q.body_norm / kPi;
   x = vec4(there, min(min(compensated.r, compensated.g), compensated.b));
   y = vec4(back, 0);)",
                          inputs);

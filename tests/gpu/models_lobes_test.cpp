@@ -1,5 +1,6 @@
 // Every lobe of brdf.glsl against its twin in tests/reference, on a grid.
 #include <cmath>
+#include <random>
 
 #include "gpu/gl_fixture.h"
 #include "gpu/models_probe.h"
@@ -71,6 +72,38 @@ TEST_F(ModelsLobes, VisibilityIsHeitzs) {
   ASSERT_EQ(got.size(), wanted.size());
   for (std::size_t i = 0; i < got.size(); ++i)
     expectNear(static_cast<double>(got[i].a.x), wanted[i], "row " + std::to_string(i));
+}
+
+// The product that the layer uses, with one division, on random pairs of directions.
+TEST_F(ModelsLobes, DistributionTimesVisibility) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<ProbeInput> inputs;
+  for (const double roughness : kRoughness)
+    for (int i = 0; i < 200; ++i) {
+      // l near the mirror of v, as far from it as the lobe is wide: elsewhere a narrow lobe is 0.
+      const dvec3 v = direction(0.03 + 0.97 * unit(random), 6.28 * unit(random));
+      const dvec3 h = direction(1.0 / std::hypot(1.0, 3.0 * unit(random) * roughness * roughness), 6.28 * unit(random));
+      const dvec3 l = 2.0 * glm::dot(v, h) * h - v;
+      if (l.z < 0.03 || glm::dot(v, h) <= 0.0) continue;
+      inputs.push_back({glm::vec4(glm::vec3(v), static_cast<float>(roughness)), glm::vec4(glm::vec3(l), 0), {}, {}});
+    }
+  const auto got = run(R"(
+  vec3 n = vec3(0, 0, 1), h = normalize(a.xyz + b.xyz), s = cross(n, h);
+  float alpha2 = a.w * a.w * a.w * a.w;
+  x = vec4(DV_GGX(h.z * h.z, dot(s, s), a.z, b.z, alpha2, smithRoot(a.z, alpha2)), 0, 0, 0);
+  y = vec4(0);)",
+                       inputs);
+  ASSERT_EQ(got.size(), inputs.size());
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const double roughness = static_cast<double>(inputs[i].a.w);
+    const dvec3 v = glm::normalize(dvec3(inputs[i].a)), l = glm::normalize(dvec3(inputs[i].b));
+    const double want = reference::ggxBrdf(dvec3(1.0), roughness * roughness, {0, 0, 1}, v, l).x;
+    // Directions in single precision move a narrow lobe by as much as they are rounded.
+    const double rounding = 1e-6 / (roughness * roughness);
+    EXPECT_NEAR(static_cast<double>(got[i].a.x), want, (2.0 * kRelative + rounding) * want)
+        << "roughness " << roughness;
+  }
 }
 
 TEST_F(ModelsLobes, PublishedGeometryTermsAreSchlicks) {

@@ -36,6 +36,7 @@ struct LayerPoint {
   // A lobe's Fresnel reflectance with its weight and compensation, at_normal + at_grazing (1 − v·h)⁵: Schlick's, of body and metal.
   vec3 at_normal[DERMIS_LOBES];
   vec3 at_grazing[DERMIS_LOBES];
+  float alpha2[DERMIS_LOBES];
   float root_v[DERMIS_LOBES];
   vec3 reflectance[DERMIS_LOBES];  // towards the viewer, of light from all around
   vec3 body_out;                   // (1 − metallic) (1 − E(μ_out))
@@ -49,10 +50,13 @@ struct LayerLight {
 
 // The share of a light at cosine μ that reaches the body.
 vec3 bodyTransmittance(Layer layer, float mu) {
-  vec3 reflected = vec3(0.0);
-  for (int i = 0; i < DERMIS_LOBES; ++i)
-    reflected += layer.weight[i] * E_GGX(layer.body_f0, dfgSmith(mu, layer.perceptual_roughness[i]));
-  return vec3(1.0) - min(reflected, 1.0);
+  vec2 terms = vec2(0.0);
+  float total = 0.0;
+  for (int i = 0; i < DERMIS_LOBES; ++i) {
+    terms += layer.weight[i] * albedoTerms(dfgSmith(mu, layer.perceptual_roughness[i]));
+    total += layer.weight[i];
+  }
+  return vec3(1.0) - min(albedoOfTerms(layer.body_f0, terms, total), 1.0);
 }
 
 LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
@@ -60,41 +64,40 @@ LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
   p.normal = normal;
   p.view = view;
   p.n_dot_v = clamp(dot(normal, view), kMinNdotV, 1.0);
-  vec3 reflected = vec3(0.0);
-  vec3 average = vec3(0.0);
+  vec2 terms = vec2(0.0);
+  vec2 average = vec2(0.0);
+  float total = 0.0;
   for (int i = 0; i < DERMIS_LOBES; ++i) {
     float roughness = layer.perceptual_roughness[i];
-    float alpha = roughness * roughness;
     vec2 dfg = dfgSmith(p.n_dot_v, roughness);
     vec3 body = layer.weight[i] * (1.0 - layer.metallic) * energyCompensation(layer.body_f0, dfg);
     vec3 metal = layer.weight[i] * layer.metallic * energyCompensation(layer.metal_f0, dfg);
     p.at_normal[i] = body * layer.body_f0 + metal * layer.metal_f0;
     p.at_grazing[i] = body + metal - p.at_normal[i];
     p.reflectance[i] = p.at_normal[i] * dfg.x + (body + metal) * dfg.y;
-    p.root_v[i] = smithRoot(p.n_dot_v, alpha * alpha);
-    reflected += layer.weight[i] * E_GGX(layer.body_f0, dfg);
-    average += layer.weight[i] * E_GGX_average(layer.body_f0, roughness);
+    p.alpha2[i] = roughness * roughness * roughness * roughness;
+    p.root_v[i] = smithRoot(p.n_dot_v, p.alpha2[i]);
+    terms += layer.weight[i] * albedoTerms(dfg);
+    average += layer.weight[i] * averageAlbedoTerms(roughness);
+    total += layer.weight[i];
   }
-  p.body_out = (1.0 - layer.metallic) * (vec3(1.0) - min(reflected, 1.0));
+  p.body_out = (1.0 - layer.metallic) * (vec3(1.0) - min(albedoOfTerms(layer.body_f0, terms, total), 1.0));
   // Where the layer reflects everything, body_out is 0 as well.
-  p.body_norm = p.body_out / max(vec3(1.0) - average, 1e-3);
+  p.body_norm = p.body_out / max(vec3(1.0) - albedoOfTerms(layer.body_f0, average, total), 1e-3);
   return p;
 }
 
 // The lobes' BRDF value for one light, without the cosine.
-vec3 layerSpecular(Layer layer, LayerPoint p, vec3 to_light, float n_dot_l) {
+vec3 layerSpecular(LayerPoint p, vec3 to_light, float n_dot_l) {
   vec3 h = normalize(to_light + p.view);
-  float n_dot_h = clamp(dot(p.normal, h), 0.0, 1.0);
+  float n_dot_h = dot(p.normal, h);
   vec3 n_cross_h = cross(p.normal, h);
   float sin2_n_h = dot(n_cross_h, n_cross_h);
   float grazing = pow5(1.0 - clamp(dot(p.view, h), 0.0, 1.0));
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < DERMIS_LOBES; ++i) {
-    float alpha = layer.perceptual_roughness[i] * layer.perceptual_roughness[i];
-    float root_l = smithRoot(n_dot_l, alpha * alpha);
-    sum += D_GGX(n_dot_h, sin2_n_h, alpha) * V_SmithGGXCorrelated(p.n_dot_v, n_dot_l, p.root_v[i], root_l) *
+  for (int i = 0; i < DERMIS_LOBES; ++i)
+    sum += DV_GGX(n_dot_h * n_dot_h, sin2_n_h, p.n_dot_v, n_dot_l, p.alpha2[i], p.root_v[i]) *
            (p.at_normal[i] + p.at_grazing[i] * grazing);
-  }
   return sum;
 }
 
@@ -106,7 +109,7 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position) {
     float n_dot_l = clamp(dot(p.normal, light.to_light), 0.0, 1.0);
     if (n_dot_l <= 0.0) continue;
     vec3 received = light.irradiance * n_dot_l;
-    sum.specular += received * layerSpecular(layer, p, light.to_light, n_dot_l);
+    sum.specular += received * layerSpecular(p, light.to_light, n_dot_l);
     sum.body += received * bodyTransmittance(layer, n_dot_l);
   }
   sum.body *= kInversePi * p.body_norm;
