@@ -17,12 +17,18 @@ struct CubePoint {
   const float sc = 2.0F * s - 1.0F;
   const float tc = 2.0F * t - 1.0F;
   switch (face) {
-    case 0: return {1.0F, -tc, -sc};
-    case 1: return {-1.0F, -tc, sc};
-    case 2: return {sc, 1.0F, tc};
-    case 3: return {sc, -1.0F, -tc};
-    case 4: return {sc, -tc, 1.0F};
-    default: return {-sc, -tc, -1.0F};
+    case 0:
+      return {1.0F, -tc, -sc};
+    case 1:
+      return {-1.0F, -tc, sc};
+    case 2:
+      return {sc, 1.0F, tc};
+    case 3:
+      return {sc, -1.0F, -tc};
+    case 4:
+      return {sc, -tc, 1.0F};
+    default:
+      return {-sc, -tc, -1.0F};
   }
 }
 

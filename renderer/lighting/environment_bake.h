@@ -27,10 +27,12 @@ struct EnvironmentFigures {
   bool floatStorage = false;  ///< RGBA32F, because the brightest texel passes what a half float holds
   bool fromCache = false;
   CleanedTexels cleaned;
-  double cleanMs = 0, sourcesMs = 0, sharpMs = 0, prefilterMs = 0, irradianceMs = 0, cacheMs = 0, totalMs = 0;  ///< wall
+  double cleanMs = 0, sourcesMs = 0, sharpMs = 0, prefilterMs = 0, irradianceMs = 0, cacheMs = 0,
+         totalMs = 0;  ///< wall
 };
 
-/// One cube map: RGBA texels, level by level, in each level layer-face by layer-face (layer · 6 + face), row 0 at t = 0.
+/// One cube map: RGBA texels, level by level, in each level layer-face by layer-face (layer · 6 + face), row 0 at t =
+/// 0.
 struct CubeTexels {
   int faceSize = 1;
   int layers = 1;  ///< cubes of an array

@@ -31,10 +31,14 @@ T load(const std::byte* p) {
 float channel(const Image& image, std::size_t index) {
   const std::byte* p = image.pixels.data() + index * bytesPerChannel(image.type);
   switch (image.type) {
-    case PixelType::U8: return srgbToLinear(static_cast<float>(load<std::uint8_t>(p)) / 255.0F);
-    case PixelType::U16: return srgbToLinear(static_cast<float>(load<std::uint16_t>(p)) / 65535.0F);
-    case PixelType::Half: return halfToFloat(load<std::uint16_t>(p));
-    case PixelType::Float: return load<float>(p);
+    case PixelType::U8:
+      return srgbToLinear(static_cast<float>(load<std::uint8_t>(p)) / 255.0F);
+    case PixelType::U16:
+      return srgbToLinear(static_cast<float>(load<std::uint16_t>(p)) / 65535.0F);
+    case PixelType::Half:
+      return halfToFloat(load<std::uint16_t>(p));
+    case PixelType::Float:
+      return load<float>(p);
   }
   return 0.0F;
 }

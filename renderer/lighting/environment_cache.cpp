@@ -1,0 +1,204 @@
+#include "lighting/environment_cache.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <system_error>
+#include <vector>
+
+#include "core/base/file_io.h"
+
+namespace dermis {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSuffix = ".dermisenv";
+
+struct CubeShape {
+  std::int32_t faceSize, layers, levels, reserved;
+  std::uint64_t bytes;
+};
+
+/// In front of the texels. Plain values of one machine's byte order: a cache doesn't travel.
+struct Header {
+  std::array<char, 8> magic;
+  std::uint32_t version, floatStorage;
+  float scale, reserved;
+  std::uint64_t negative, nonFinite;
+  std::array<CubeShape, 3> cubes;
+  std::uint64_t texelHash;   ///< XXH3 of all texels
+  std::uint64_t headerHash;  ///< XXH3 of what stands before
+};
+static_assert(std::has_unique_object_representations_v<CubeShape>);
+
+constexpr std::array<char, 8> kMagic = {'D', 'R', 'M', 'S', 'E', 'N', 'V', '1'};
+
+std::uint64_t headerHash(const Header& header) { return XXH3_64bits(&header, offsetof(Header, headerHash)); }
+
+/// A read-only view of a whole file.
+class Mapping {
+ public:
+  explicit Mapping(const fs::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return;
+    struct stat status {};
+    if (::fstat(file, &status) == 0 && status.st_size > 0) {
+      m_size = static_cast<std::size_t>(status.st_size);
+      m_data = ::mmap(nullptr, m_size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
+      if (m_data == MAP_FAILED) m_data = nullptr;
+    }
+    ::close(file);
+  }
+  ~Mapping() {
+    if (m_data != nullptr) ::munmap(m_data, m_size);
+  }
+  Mapping(const Mapping&) = delete;
+  Mapping& operator=(const Mapping&) = delete;
+  [[nodiscard]] std::span<const std::byte> bytes() const {
+    return {static_cast<const std::byte*>(m_data), m_data == nullptr ? 0 : m_size};
+  }
+
+ private:
+  void* m_data = nullptr;
+  std::size_t m_size = 0;
+};
+
+/// Removes the files used longest ago until the folder keeps its limit.
+void trim(const fs::path& folder) {
+  struct Entry {
+    fs::path path;
+    std::uintmax_t size;
+    fs::file_time_type used;
+  };
+  std::vector<Entry> entries;
+  std::uintmax_t total = 0;
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() != kSuffix) continue;
+    std::error_code gone;
+    const auto size = it->file_size(gone);
+    const auto used = it->last_write_time(gone);
+    if (gone) continue;
+    entries.push_back({it->path(), size, used});
+    total += size;
+  }
+  std::ranges::sort(entries, {}, &Entry::used);
+  for (std::size_t i = 0; total > kEnvironmentCacheBytes && i + 1 < entries.size(); ++i) {
+    if (fs::remove(entries[i].path, error)) total -= entries[i].size;
+  }
+}
+
+/// Bytes that a cube of this shape holds; 0 for an impossible shape.
+std::uint64_t expectedBytes(const CubeShape& shape, bool floats) {
+  if (shape.faceSize < 1 || shape.faceSize > 16384 || shape.layers < 1 || shape.layers > 64 || shape.levels < 1 ||
+      shape.levels > 15) {
+    return 0;
+  }
+  std::uint64_t texels = 0;
+  for (int l = 0; l < shape.levels; ++l) {
+    const auto n = static_cast<std::uint64_t>(std::max(1, shape.faceSize >> l));
+    texels += n * n * 6U * static_cast<std::uint64_t>(shape.layers);
+  }
+  return texels * 4U * (floats ? 4U : 2U);
+}
+
+}  // namespace
+
+fs::path environmentCacheFile(const EnvironmentBakeOptions& options, const EnvironmentImages& images) {
+  // The size of the images guards against a hash of bytes that were decoded differently.
+  const Image* image = images.latLong ? images.latLong.get() : images.faces[0].get();
+  return options.cacheFolder / fmt::format("{:016x}-{}x{}-{}-v{}{}", images.contentHash, image ? image->width : 0,
+                                           image ? image->height : 0, options.maximumSharpFace, kEnvironmentBakeVersion,
+                                           kSuffix);
+}
+
+std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOptions& options,
+                                                       const EnvironmentImages& images) {
+  const fs::path path = environmentCacheFile(options, images);
+  auto mapping = std::make_shared<Mapping>(path);
+  const auto bytes = mapping->bytes();
+  Header header{};
+  if (bytes.size() < sizeof header) return nullptr;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  if (header.magic != kMagic || header.version != kEnvironmentBakeVersion || header.headerHash != headerHash(header)) {
+    return nullptr;
+  }
+  std::uint64_t payload = 0;
+  for (const CubeShape& shape : header.cubes) {
+    if (shape.bytes == 0 || shape.bytes != expectedBytes(shape, header.floatStorage != 0)) return nullptr;
+    payload += shape.bytes;
+  }
+  if (bytes.size() != sizeof header + payload) return nullptr;
+  if (XXH3_64bits(bytes.data() + sizeof header, payload) != header.texelHash) return nullptr;
+
+  auto baked = std::make_shared<BakedEnvironment>();
+  std::size_t offset = sizeof header;
+  const auto cube = [&](const CubeShape& shape) {
+    const CubeTexels texels{shape.faceSize, shape.layers, shape.levels,
+                            bytes.subspan(offset, static_cast<std::size_t>(shape.bytes))};
+    offset += static_cast<std::size_t>(shape.bytes);
+    return texels;
+  };
+  baked->sharp = cube(header.cubes[0]);
+  baked->prefiltered = cube(header.cubes[1]);
+  baked->irradiance = cube(header.cubes[2]);
+  baked->floatStorage = header.floatStorage != 0;
+  baked->scale = header.scale;
+  baked->figures.cleaned = {static_cast<std::size_t>(header.negative), static_cast<std::size_t>(header.nonFinite)};
+  baked->figures.sharpFaceSize = baked->sharp.faceSize;
+  baked->figures.prefilteredFaceSize = baked->prefiltered.faceSize;
+  baked->figures.irradianceFaceSize = baked->irradiance.faceSize;
+  baked->figures.floatStorage = baked->floatStorage;
+  baked->figures.fromCache = true;
+  baked->storage = std::move(mapping);
+  // The time of last use, for trim().
+  std::error_code ignored;
+  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+  return baked;
+}
+
+bool writeEnvironmentCache(const EnvironmentBakeOptions& options, const EnvironmentImages& images,
+                           const BakedEnvironment& baked) {
+  std::error_code error;
+  fs::create_directories(options.cacheFolder, error);
+  if (error) return false;
+  Header header{};
+  header.magic = kMagic;
+  header.version = kEnvironmentBakeVersion;
+  header.floatStorage = baked.floatStorage ? 1 : 0;
+  header.scale = baked.scale;
+  header.negative = baked.figures.cleaned.negative;
+  header.nonFinite = baked.figures.cleaned.nonFinite;
+  const std::array cubes = {&baked.sharp, &baked.prefiltered, &baked.irradiance};
+  std::size_t payload = 0;
+  for (std::size_t i = 0; i < cubes.size(); ++i) {
+    header.cubes[i] = {cubes[i]->faceSize, cubes[i]->layers, cubes[i]->levels, 0, cubes[i]->bytes.size()};
+    payload += cubes[i]->bytes.size();
+  }
+  // The three follow one another in memory, see pack() in environment_bake.cpp.
+  const std::byte* texels = baked.sharp.bytes.data();
+  header.texelHash = XXH3_64bits(texels, payload);
+  header.headerHash = headerHash(header);
+
+  const auto written =
+      replaceFileAtomically(environmentCacheFile(options, images), [&](const fs::path& temporary) -> Result<void> {
+        std::FILE* file = std::fopen(temporary.c_str(), "wb");
+        if (file == nullptr) return runtimeError("the cache file can't be opened");
+        const bool complete =
+            std::fwrite(&header, sizeof header, 1, file) == 1 && std::fwrite(texels, 1, payload, file) == payload;
+        if (std::fclose(file) != 0 || !complete) return runtimeError("the cache file can't be written");
+        return {};
+      });
+  trim(options.cacheFolder);
+  return written.has_value();
+}
+
+}  // namespace dermis

@@ -1,0 +1,17 @@
+// The environment itself as a cube map.
+#pragma once
+
+#include <vector>
+
+#include "lighting/radiance_image.h"
+
+namespace dermis {
+
+/// Resamples to faceSize² texels a face: bilinear where the image is coarser, area-averaged where it is finer. RGB and
+/// 1 interleaved, [face][row][column].
+[[nodiscard]] std::vector<float> resampleToCube(const RadianceMap& map, int faceSize);
+
+/// The next mip level of such a cube: the mean of each four texels, weighted by their solid angle.
+[[nodiscard]] std::vector<float> halveCube(const std::vector<float>& rgba, int faceSize);
+
+}  // namespace dermis
