@@ -263,7 +263,7 @@ Result<Image> loadImage(std::span<const std::byte> bytes, const std::string& nam
 }
 
 Result<ImageInfo> inspectImage(const std::filesystem::path& path) try {
-  auto source = ImageSource::open(path);
+  auto source = ImageSource::open(path, true);
   if (!source) return tl::unexpected(source.error());
   const OIIO::ImageSpec& spec = source->spec();
   const Layout layout = layoutOf(spec, source->format() == "openexr");

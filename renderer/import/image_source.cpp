@@ -9,7 +9,9 @@
 #include <cstring>
 #include <fstream>
 
+#include "core/base/file_io.h"
 #include "import/jpeg_markers.h"
+#include "import/png_chunks.h"
 #include "import/text.h"
 
 namespace dermis::import {
@@ -70,6 +72,7 @@ constexpr std::array kExtensions = {
 double mostPixelsAByte(const std::string& format) { return format == "openexr" ? 1e6 : 2e4; }
 
 constexpr double kAlwaysPlausible = 1 << 22;
+constexpr std::size_t kLargestPng = std::size_t{2} << 30U;
 
 }  // namespace
 
@@ -84,7 +87,7 @@ std::string imageFormat(std::span<const std::byte> head, const std::string& name
   return {};
 }
 
-Result<ImageSource> ImageSource::open(const std::filesystem::path& path) {
+Result<ImageSource> ImageSource::open(const std::filesystem::path& path, bool withTexts) {
   ImageSource source;
   source.m_name = path.filename().string();
   std::error_code error;
@@ -107,6 +110,12 @@ Result<ImageSource> ImageSource::open(const std::filesystem::path& path) {
   if (source.m_format == "jpeg" && !jpegIsWhole(path))
     return inputError(
         fmt::format("{}: the JPEG file is cut off before its end mark; export or download it again", source.m_name));
+  if (source.m_format == "png") {
+    const auto bytes = readFile(path, kLargestPng);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (auto started = source.startPng(*bytes, withTexts); !started) return tl::unexpected(started.error());
+    return source;
+  }
   if (auto started = source.start(path.string(), nullptr); !started) return tl::unexpected(started.error());
   return source;
 }
@@ -119,6 +128,12 @@ Result<ImageSource> ImageSource::open(std::span<const std::byte> bytes, const st
   source.m_format = imageFormat(bytes, name);
   if (source.m_format == "jpeg" && !jpegIsWhole(bytes))
     return inputError(fmt::format("{}: the JPEG data is cut off before its end mark; export it again", name));
+
+  if (source.m_format == "png") {
+    const std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (auto started = source.startPng(view, false); !started) return tl::unexpected(started.error());
+    return source;
+  }
 
   source.m_memory = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<std::byte*>(bytes.data()), bytes.size());
   const auto probe = source.m_format.empty() ? nullptr : OIIO::ImageInput::create(source.m_format);
@@ -142,12 +157,21 @@ Result<ImageSource> ImageSource::open(std::span<const std::byte> bytes, const st
 
 ImageSource::~ImageSource() {
   if (m_input) m_input->close();
+  m_input.reset();  // before the memory it reads
   if (m_anonymousFile >= 0) ::close(m_anonymousFile);
 }
 
 std::string ImageSource::lastMessage() const {
   const std::string message = phrase(m_input ? m_input->geterror() : OIIO::geterror());
   return message.empty() ? "the decoder gives no reason" : message;
+}
+
+Result<void> ImageSource::startPng(std::string_view bytes, bool withTexts) {
+  auto checked = checkedPng(bytes, m_name, withTexts);
+  if (!checked) return tl::unexpected(checked.error());
+  m_owned = std::make_unique<std::string>(std::move(*checked));
+  m_memory = std::make_unique<OIIO::Filesystem::IOMemReader>(m_owned->data(), m_owned->size());
+  return start(m_name, m_memory.get());
 }
 
 Result<void> ImageSource::start(const std::string& openName, OIIO::Filesystem::IOProxy* proxy) {

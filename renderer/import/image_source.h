@@ -21,7 +21,8 @@ inline constexpr int kLargestSide = 1 << 17;
 /// only named files, through an anonymous file).
 class ImageSource {
  public:
-  static Result<ImageSource> open(const std::filesystem::path& path);
+  /// `withTexts`: keep what metadata the format has, for inspection.
+  static Result<ImageSource> open(const std::filesystem::path& path, bool withTexts = false);
   /// `bytes` must outlive the source.
   static Result<ImageSource> open(std::span<const std::byte> bytes, const std::string& name);
 
@@ -39,6 +40,7 @@ class ImageSource {
 
  private:
   ImageSource() = default;
+  Result<void> startPng(std::string_view bytes, bool withTexts);
   Result<void> start(const std::string& openName, OIIO::Filesystem::IOProxy* proxy);
   [[nodiscard]] Result<void> checkHeader() const;
 
@@ -46,6 +48,8 @@ class ImageSource {
   std::string m_format;
   std::uintmax_t m_bytes = 0;
   int m_anonymousFile = -1;
+  std::unique_ptr<std::string>
+      m_owned;  ///< bytes that m_memory reads; on the heap, so that a move leaves them in place
   std::unique_ptr<OIIO::Filesystem::IOMemReader> m_memory;
   std::unique_ptr<OIIO::ImageInput> m_input;
   OIIO::ImageSpec m_spec;

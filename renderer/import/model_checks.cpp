@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "import/ply_check.h"
 #include "import/text.h"
 
 namespace dermis::import {
@@ -38,24 +38,6 @@ int braceDepth(std::string_view text) {
   return deepest;
 }
 
-/// The largest number after "element NAME" in a PLY header; 0 where there is none.
-std::uint64_t plyElements(std::string_view text) {
-  const std::string_view header = text.substr(0, std::min(text.find("end_header"), text.size()));
-  std::uint64_t largest = 0;
-  for (std::size_t at = header.find("element "); at != std::string_view::npos; at = header.find("element ", at + 8)) {
-    const std::size_t name = header.find_first_not_of(" \t", at + 8);
-    if (name == std::string_view::npos) break;
-    const std::size_t number =
-        header.find_first_not_of(" \t", std::min(header.find_first_of(" \t", name), header.size()));
-    if (number == std::string_view::npos) break;
-    std::uint64_t count = 0;
-    const auto [end, error] = std::from_chars(header.data() + number, header.data() + header.size(), count);
-    if (error == std::errc::result_out_of_range) count = ~std::uint64_t{0};
-    largest = std::max(largest, count);
-  }
-  return largest;
-}
-
 }  // namespace
 
 Result<void> checkModelBytes(std::string_view bytes, const std::filesystem::path& path) {
@@ -69,12 +51,7 @@ Result<void> checkModelBytes(std::string_view bytes, const std::filesystem::path
   if (depth > kDeepestNesting)
     return inputError(fmt::format("{}: its elements lie {} levels deep in each other, past the limit of {}", name,
                                   depth, kDeepestNesting));
-  if (format == ".ply") {
-    if (const std::uint64_t elements = plyElements(bytes); elements > bytes.size())
-      return inputError(
-          fmt::format("{}: the header promises {} elements, but the file holds only {} bytes; export it again", name,
-                      elements, bytes.size()));
-  }
+  if (format == ".ply") return checkPly(bytes, name);
   return {};
 }
 

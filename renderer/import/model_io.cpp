@@ -110,7 +110,8 @@ fs::path findReferenced(const fs::path& folder, const std::string& reference) {
     // Paths of the author's machine: the file is often beside the model all the same.
     const fs::path bare = path.filename();
     for (const char* beside : {".", "textures", "maps", "tex", "../textures"})
-      if (const fs::path found = ignoringCase(folder / beside, bare); isFile(found)) return found.lexically_normal();
+      if (const fs::path found = ignoringCase(folder, std::filesystem::path(beside) / bare); isFile(found))
+        return found.lexically_normal();
   }
   return {};
 }

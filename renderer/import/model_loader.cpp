@@ -96,8 +96,9 @@ Result<Model> loadModel(const fs::path& path, std::stop_token stop) try {
 
   // Flatten, and make what is missing.
   Model model;
-  auto raw =
-      flattenScene(**scene, {.trustNormals = format != ".stl", .trustTangents = gltf}, name, model.warnings, stop);
+  const FormatTraits traits = {
+      .trustNormals = format != ".stl", .trustTangents = gltf, .correction = correction(**scene, format, *shared)};
+  auto raw = flattenScene(**scene, traits, name, model.warnings, stop);
   if (!raw) return tl::unexpected(raw.error());
   completeNormals(*raw);
   if (stop.stop_requested()) return cancelledError();

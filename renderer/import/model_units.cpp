@@ -66,7 +66,28 @@ float colladaMetres(std::string_view text) {
   return error == std::errc() && std::isfinite(metres) && metres > 0.0F ? metres : 1.0F;
 }
 
+/// An axis of FBX's GlobalSettings as a unit vector; zero where it makes no sense.
+glm::dvec3 fbxAxis(const aiMetadata& settings, const char* axis, const char* sign, int otherwise) {
+  std::int32_t index = otherwise, direction = 1;
+  static_cast<void>(settings.Get(axis, index));
+  static_cast<void>(settings.Get(sign, direction));
+  glm::dvec3 out(0.0);
+  if (index >= 0 && index < 3) out[index] = direction < 0 ? -1.0 : 1.0;
+  return out;
+}
+
 }  // namespace
+
+glm::dmat4 correction(const aiScene& scene, const std::string& format, std::string_view text) {
+  if (format == ".dae") return glm::dmat4(glm::dmat3(1.0 / static_cast<double>(colladaMetres(text))));
+  if (format != ".fbx" || scene.mMetaData == nullptr) return glm::dmat4(1.0);
+  const aiMetadata& settings = *scene.mMetaData;
+  const glm::dmat3 axes(fbxAxis(settings, "CoordAxis", "CoordAxisSign", 0),
+                        fbxAxis(settings, "UpAxis", "UpAxisSign", 1),
+                        fbxAxis(settings, "FrontAxis", "FrontAxisSign", 2));
+  // Three different axes, right-handed; anything else is a mistake of the writer, and turning by it would be another.
+  return glm::determinant(axes) == 1.0 ? glm::dmat4(glm::transpose(axes)) : glm::dmat4(1.0);
+}
 
 void findUnit(Model& model, const aiScene& scene, const std::string& format, std::string_view text) {
   if (format == ".gltf" || format == ".glb" || format == ".vrm") {

@@ -36,9 +36,9 @@ struct Placement {
   std::unordered_map<std::string, glm::dmat4> nodes;
 };
 
-Placement placeMeshes(const aiScene& scene) {
+Placement placeMeshes(const aiScene& scene, const glm::dmat4& correction) {
   Placement placement;
-  std::vector<std::pair<const aiNode*, glm::dmat4>> open = {{scene.mRootNode, glm::dmat4(1.0)}};
+  std::vector<std::pair<const aiNode*, glm::dmat4>> open = {{scene.mRootNode, correction}};
   while (!open.empty()) {
     const auto [node, parent] = open.back();
     open.pop_back();
@@ -122,7 +122,7 @@ unsigned quadStart(const aiMesh& mesh, const aiFace& face) {
 class Flattener {
  public:
   Flattener(const aiScene& scene, const FormatTraits& traits, std::string name)
-      : m_scene(scene), m_traits(traits), m_name(std::move(name)), m_placement(placeMeshes(scene)) {}
+      : m_scene(scene), m_traits(traits), m_name(std::move(name)), m_placement(placeMeshes(scene, traits.correction)) {}
 
   Result<RawMesh> run(Warnings& warnings, const std::stop_token& stop) {
     if (auto sized = reserve(); !sized) return tl::unexpected(sized.error());

@@ -38,6 +38,7 @@ struct RawMesh {
 struct FormatTraits {
   bool trustNormals = true;    ///< false for STL, whose normals are those of the facets
   bool trustTangents = false;  ///< true for glTF, whose convention is ours
+  glm::dmat4 correction{1.0};  ///< applied to the whole scene (see model_units.h)
 };
 
 /// Flattens the node tree. Errors: Input (non-finite or absurd coordinates, indices out of range, nothing to show,
