@@ -1,6 +1,7 @@
 // Light from the environment, prefiltered (see renderer/lighting/environment_map.h). Needs frame_block.glsl.
 // Directions are in world space and of unit length; results are radiance, linear Rec.709, exposure included.
 #include "frame_block.glsl"
+#include "lighting/dfg.glsl"
 
 layout(binding = 16) uniform samplerCubeArray u_env_prefiltered;
 layout(binding = 17) uniform samplerCube u_env_irradiance;
@@ -13,22 +14,21 @@ vec3 environmentIrradiance(vec3 n_world) {
 
 // The radiance that a GGX lobe round r_world sees, weighted by D(h) (n.l) with n = v = r, normalised.
 //
-// 24 roughness nodes lie in four mip levels of six layers, so one lookup is two bilinear fetches and a mix. Nodes are
+// 21 roughness nodes lie in three mip levels of seven layers, so one lookup is two bilinear fetches and a mix. They are
 // spaced as prefilterNode() in renderer/lighting/roughness_nodes.h says; 0.1, 0.25, 0.5, 0.75 and 1 are nodes.
 vec3 environmentPrefiltered(vec3 r_world, float perceptual_roughness) {
   float r = clamp(perceptual_roughness, 0.0, 1.0);
   float octaves = log2(max(r, 0.1));
-  float node = 20.0 * min(r, 0.1) + (7.0 / 1.32192809) * min(octaves + 3.32192809, 1.32192809) +
-               6.0 * clamp(octaves + 2.0, 0.0, 1.0) + 16.0 * clamp(r - 0.5, 0.0, 0.5);
-  node = clamp(node, 0.0, 23.0);
-  float lower = min(floor(node), 22.0);
+  float node = 10.0 * min(r, 0.1) + (8.0 / 1.32192809) * min(octaves + 3.32192809, 1.32192809) +
+               5.0 * clamp(octaves + 2.0, 0.0, 1.0) + 12.0 * clamp(r - 0.5, 0.0, 0.5);
+  float lower = clamp(floor(node + 1e-4), 0.0, 19.0);  // a node itself needs the same two texels whatever the rounding
   vec2 index = vec2(lower, lower + 1.0);
-  vec2 level = floor((index + 0.5) / 6.0);
-  vec2 layer = index - 6.0 * level;
+  vec2 level = floor((index + 0.5) / 7.0);
+  vec2 layer = index - 7.0 * level;
   vec3 d = mat3(u_environment_from_world) * r_world;
   vec3 a = textureLod(u_env_prefiltered, vec4(d, layer.x), level.x).rgb;
   vec3 b = textureLod(u_env_prefiltered, vec4(d, layer.y), level.y).rgb;
-  return mix(a, b, node - lower) * u_environment_scale.x;
+  return mix(a, b, clamp(node - lower, 0.0, 1.0)) * u_environment_scale.x;
 }
 
 // The environment itself.
