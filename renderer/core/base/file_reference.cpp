@@ -1,14 +1,30 @@
 #include "core/base/file_reference.h"
 
-#include <iterator>
+#include <charconv>
 
 namespace dermis {
 
 namespace fs = std::filesystem;
 
-bool namesNoFile(std::string_view reference) {
-  return reference.starts_with("builtin:") || reference.starts_with("embedded:");
+namespace {
+constexpr std::string_view kEmbedded = "embedded:";
 }
+
+bool namesNoFile(std::string_view reference) {
+  return reference.starts_with("builtin:") || reference.starts_with(kEmbedded);
+}
+
+std::optional<std::size_t> embeddedIndex(std::string_view reference) {
+  if (!reference.starts_with(kEmbedded)) return std::nullopt;
+  reference.remove_prefix(kEmbedded.size());
+  std::size_t index = 0;
+  const char* const last = reference.data() + reference.size();
+  const auto [end, error] = std::from_chars(reference.data(), last, index);
+  if (error != std::errc() || end != last) return std::nullopt;
+  return index;
+}
+
+std::string embeddedReference(std::size_t index) { return std::string(kEmbedded) + std::to_string(index); }
 
 std::string absoluteReference(const std::string& reference, const fs::path& folder) {
   if (reference.empty() || folder.empty() || namesNoFile(reference)) return reference;

@@ -1,7 +1,9 @@
 // How our files name other files: relative to their own folder on disk, absolute in memory.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,6 +11,10 @@ namespace dermis {
 
 /// "builtin:NAME" and "embedded:N" name no file; they are kept as written everywhere.
 [[nodiscard]] bool namesNoFile(std::string_view reference);
+
+/// N of "embedded:N", an image inside the model's own file; nothing for any other reference.
+[[nodiscard]] std::optional<std::size_t> embeddedIndex(std::string_view reference);
+[[nodiscard]] std::string embeddedReference(std::size_t index);
 
 /// A reference read from a file in `folder`, as an absolute path. With an empty folder it stays as written.
 [[nodiscard]] std::string absoluteReference(const std::string& reference, const std::filesystem::path& folder);

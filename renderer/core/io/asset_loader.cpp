@@ -24,7 +24,6 @@ namespace fs = std::filesystem;
 
 /// A lat-long of 8192×4096 RGB floats is 400 MB; nothing finer survives the prefiltering.
 constexpr int kLargestEnvironment = 8192;
-constexpr std::string_view kEmbedded = "embedded:";
 
 /// Progress from several threads, one call at a time.
 class Progress {
@@ -70,9 +69,9 @@ struct TextureTask {
 };
 
 void decodeEmbedded(TextureTask& task, const std::shared_ptr<const Model>& model, const ResolveOptions& options) {
-  const std::size_t index = std::stoul(task.path.substr(kEmbedded.size()));
-  if (index >= model->embedded.size()) {
-    task.error = Error{Error::Kind::Input, "the model holds no embedded image " + std::to_string(index)};
+  const auto index = embeddedIndex(task.path);
+  if (!index || *index >= model->embedded.size()) {
+    task.error = Error{Error::Kind::Input, "the model holds no image " + task.path};
     return;
   }
   const Result<const Importer*> module = importer();
@@ -80,7 +79,7 @@ void decodeEmbedded(TextureTask& task, const std::shared_ptr<const Model>& model
     task.error = module.error();
     return;
   }
-  const EmbeddedImage& embedded = model->embedded[index];
+  const EmbeddedImage& embedded = model->embedded[*index];
   // The bytes name the image, whichever file they came in.
   const std::string key =
       "embedded|" + hexadecimal(contentHash(embedded.bytes)) + "|" + std::to_string(embedded.bytes.size());
@@ -95,7 +94,7 @@ void decodeEmbedded(TextureTask& task, const std::shared_ptr<const Model>& model
 }
 
 void decode(TextureTask& task, const std::shared_ptr<const Model>& model, const ResolveOptions& options) {
-  if (task.path.starts_with(kEmbedded)) return decodeEmbedded(task, model, options);
+  if (namesNoFile(task.path)) return decodeEmbedded(task, model, options);
   Result<std::shared_ptr<const Image>> image = resolveTexture(task.path, options, task.warnings);
   if (image)
     task.image = std::move(*image);

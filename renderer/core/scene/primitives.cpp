@@ -5,6 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "core/base/file_reference.h"
+
 namespace dermis {
 namespace {
 
@@ -34,10 +36,8 @@ std::string uniqueSlotName(const Model& model, const std::string& name) {
 
 /// `embedded:N` counts from the start of a model's own list, which now begins `offset` images later.
 void shiftEmbedded(Material& material, std::size_t offset) {
-  constexpr std::string_view kPrefix = "embedded:";
   for (TextureBinding& binding : material.textures)
-    if (binding.path.starts_with(kPrefix))
-      binding.path = std::string(kPrefix) + std::to_string(std::stoul(binding.path.substr(kPrefix.size())) + offset);
+    if (const auto index = embeddedIndex(binding.path)) binding.path = embeddedReference(*index + offset);
 }
 
 }  // namespace
