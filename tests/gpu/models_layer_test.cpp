@@ -59,11 +59,9 @@ std::string probeText(const Case& c, const std::string& body) {
                      "Layer layer() {\n  Layer l;\n  l.body_f0 = " + vec3Text(c.bodyF0) +
                      ";\n  l.metal_f0 = " + vec3Text(c.metalF0) + ";\n  l.metallic = " + std::to_string(c.metallic) +
                      ";\n";
-  for (std::size_t i = 0; i < c.lobes.size(); ++i) {
-    const std::string index = "[" + std::to_string(i) + "] = ";
-    text += "  l.perceptual_roughness" + index + std::to_string(c.lobes[i].perceptualRoughness) + ";\n  l.weight" +
-            index + std::to_string(c.lobes[i].weight) + ";\n";
-  }
+  for (std::size_t i = 0; i < c.lobes.size(); ++i)
+    text += std::string(i == 0 ? "  l.first" : "  l.second") + " = Lobe(" +
+            std::to_string(c.lobes[i].perceptualRoughness) + ", " + std::to_string(c.lobes[i].weight) + ");\n";
   return text + "  return l;\n}\nvoid probe(vec4 a, vec4 b, vec4 c, vec4 d, out vec4 x, out vec4 y) {\n" + body +
          "\n}\n";
 }
@@ -140,10 +138,13 @@ TEST_F(ModelsLayer, ReciprocalAndNotNegative) {
   vec3 n = vec3(0, 0, 1);
   LayerPoint p = layerPoint(layer(), n, a.xyz), q = layerPoint(layer(), n, b.xyz);
   vec3 compensated = layerSpecular(p, b.xyz, b.z);
-  for (int i = 0; i < DERMIS_LOBES; ++i) {  // as without compensation
-    p.at_normal[i] = q.at_normal[i] = layer().weight[i] * mix(layer().body_f0, layer().metal_f0, layer().metallic);
-    p.at_grazing[i] = q.at_grazing[i] = layer().weight[i] - p.at_normal[i];
-  }
+  vec3 f0 = mix(layer().body_f0, layer().metal_f0, layer().metallic);  // as without compensation
+  p.first.at_normal = q.first.at_normal = layer().first.weight * f0;
+  p.first.at_grazing = q.first.at_grazing = layer().first.weight * (1.0 - f0);
+#if DERMIS_LOBES == 2
+  p.second.at_normal = q.second.at_normal = layer().second.weight * f0;
+  p.second.at_grazing = q.second.at_grazing = layer().second.weight * (1.0 - f0);
+#endif
   vec3 there = layerSpecular(p, b.xyz, b.z) + bodyTransmittance(layer(), b.z) * p.body_norm / kPi;
   vec3 back = layerSpecular(q, a.xyz, a.z) + bodyTransmittance(layer(), a.z) * q.body_norm / kPi;
   x = vec4(there, min(min(compensated.r, compensated.g), compensated.b));
@@ -215,7 +216,7 @@ TEST_F(ModelsLayer, ImageLightIsKept) {
       for (const double cosine : {0.0, 0.1, 0.3, 0.6, 1.0})
         inputs.push_back({glm::vec4(glm::vec3(std::sqrt(1.0 - cosine * cosine), 0.0, cosine), 0), {}, {}, {}});
       const auto got = run(c,
-                           "LayerPoint p = layerPoint(layer(), vec3(0, 0, 1), a.xyz); x = vec4(p.reflectance[0] + "
+                           "LayerPoint p = layerPoint(layer(), vec3(0, 0, 1), a.xyz); x = vec4(p.first.reflectance + "
                            "p.body_out, 0); y = x;",
                            inputs);
       for (const ProbeOutput& o : got)

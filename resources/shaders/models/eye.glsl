@@ -37,10 +37,9 @@ Shading shade(Surface s) {
   layer.body_f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
   layer.metal_f0 = vec3(1.0);
   layer.metallic = 0.0;
-  for (int i = 0; i < DERMIS_LOBES; ++i)
-    layer.perceptual_roughness[i] = clamp(roughness * u_material.specular_lobe_scale[i], kMinPerceptualRoughness, 1.0);
-  layer.weight[0] = intensity * (1.0 - u_material.specular_lobe_mix);
-  layer.weight[1] = intensity * u_material.specular_lobe_mix;
+  vec2 lobes = clamp(roughness * u_material.specular_lobe_scale, kMinPerceptualRoughness, 1.0);
+  layer.first = Lobe(lobes.x, intensity * (1.0 - u_material.specular_lobe_mix));
+  layer.second = Lobe(lobes.y, intensity * u_material.specular_lobe_mix);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position);

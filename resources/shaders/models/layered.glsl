@@ -1,6 +1,6 @@
 // A specular layer over a body that scatters: the lighting that skin, eye, lens and metallic_roughness share.
 //
-// The layer is one or two GGX lobes (DERMIS_LOBES, set before including this) with height-correlated Smith visibility, Schlick
+// The layer is one GGX lobe, or two with DERMIS_LOBES 2 (set before including this), with height-correlated Smith visibility, Schlick
 // Fresnel and multiple-scattering compensation. Light that the layer reflects does not reach the body, the rest does: with E the
 // layer's directional albedo and ⟨E⟩ its cosine average, a lamp's diffuse light is weighed by
 // (1 − E(μ_in)) (1 − E(μ_out)) / (1 − ⟨E⟩), image light by 1 − E(μ_out), whose incoming factor averages to 1 (Kelemen & Szirmay-Kalos
@@ -19,28 +19,44 @@
 #define DERMIS_LOBES 1
 #endif
 
+struct Lobe {
+  float perceptual_roughness;
+  float weight;  // share of the lobe times the layer's intensity
+};
+
 // The share `metallic` of the surface is metal without a body, the rest a dielectric over one, as glTF mixes them.
+// The lobes are members and not an array: Mesa's software GL keeps what is indexed in a loop in memory, at twice the cost of the frame.
 struct Layer {
   vec3 body_f0;   // of the facets over the body
   vec3 metal_f0;  // of metallic ones
   float metallic;
-  float perceptual_roughness[DERMIS_LOBES];
-  float weight[DERMIS_LOBES];  // share of the lobe times the layer's intensity
+  Lobe first;
+#if DERMIS_LOBES == 2
+  Lobe second;
+#endif
 };
 
-// A lit point: what is the same for all lights.
+// What is the same for all lights, of a lobe.
+struct LobePoint {
+  // Fresnel reflectance with weight and compensation, at_normal + at_grazing (1 − v·h)⁵: Schlick's, of body and metal.
+  vec3 at_normal;
+  vec3 at_grazing;
+  vec3 reflectance;  // towards the viewer, of light from all around
+  float alpha2;
+  float root_v;
+};
+
+// And of a lit point.
 struct LayerPoint {
   vec3 normal;
   vec3 view;
   float n_dot_v;
-  // A lobe's Fresnel reflectance with its weight and compensation, at_normal + at_grazing (1 − v·h)⁵: Schlick's, of body and metal.
-  vec3 at_normal[DERMIS_LOBES];
-  vec3 at_grazing[DERMIS_LOBES];
-  float alpha2[DERMIS_LOBES];
-  float root_v[DERMIS_LOBES];
-  vec3 reflectance[DERMIS_LOBES];  // towards the viewer, of light from all around
-  vec3 body_out;                   // (1 − metallic) (1 − E(μ_out))
-  vec3 body_norm;                  // body_out / (1 − ⟨E⟩)
+  LobePoint first;
+#if DERMIS_LOBES == 2
+  LobePoint second;
+#endif
+  vec3 body_out;   // (1 − metallic) (1 − E(μ_out))
+  vec3 body_norm;  // body_out / (1 − ⟨E⟩)
 };
 
 struct LayerLight {
@@ -50,13 +66,26 @@ struct LayerLight {
 
 // The share of a light at cosine μ that reaches the body.
 vec3 bodyTransmittance(Layer layer, float mu) {
-  vec2 terms = vec2(0.0);
-  float total = 0.0;
-  for (int i = 0; i < DERMIS_LOBES; ++i) {
-    terms += layer.weight[i] * albedoTerms(dfgSmith(mu, layer.perceptual_roughness[i]));
-    total += layer.weight[i];
-  }
+  vec2 terms = layer.first.weight * albedoTerms(dfgSmith(mu, layer.first.perceptual_roughness));
+  float total = layer.first.weight;
+#if DERMIS_LOBES == 2
+  terms += layer.second.weight * albedoTerms(dfgSmith(mu, layer.second.perceptual_roughness));
+  total += layer.second.weight;
+#endif
   return vec3(1.0) - min(albedoOfTerms(layer.body_f0, terms, total), 1.0);
+}
+
+LobePoint lobePoint(Layer layer, Lobe lobe, float n_dot_v, vec2 dfg) {
+  LobePoint p;
+  vec3 body = lobe.weight * (1.0 - layer.metallic) * energyCompensation(layer.body_f0, dfg);
+  vec3 metal = lobe.weight * layer.metallic * energyCompensation(layer.metal_f0, dfg);
+  p.at_normal = body * layer.body_f0 + metal * layer.metal_f0;
+  p.at_grazing = body + metal - p.at_normal;
+  p.reflectance = p.at_normal * dfg.x + (body + metal) * dfg.y;
+  float alpha = lobe.perceptual_roughness * lobe.perceptual_roughness;
+  p.alpha2 = alpha * alpha;
+  p.root_v = smithRoot(n_dot_v, p.alpha2);
+  return p;
 }
 
 LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
@@ -64,23 +93,18 @@ LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
   p.normal = normal;
   p.view = view;
   p.n_dot_v = clamp(dot(normal, view), kMinNdotV, 1.0);
-  vec2 terms = vec2(0.0);
-  vec2 average = vec2(0.0);
-  float total = 0.0;
-  for (int i = 0; i < DERMIS_LOBES; ++i) {
-    float roughness = layer.perceptual_roughness[i];
-    vec2 dfg = dfgSmith(p.n_dot_v, roughness);
-    vec3 body = layer.weight[i] * (1.0 - layer.metallic) * energyCompensation(layer.body_f0, dfg);
-    vec3 metal = layer.weight[i] * layer.metallic * energyCompensation(layer.metal_f0, dfg);
-    p.at_normal[i] = body * layer.body_f0 + metal * layer.metal_f0;
-    p.at_grazing[i] = body + metal - p.at_normal[i];
-    p.reflectance[i] = p.at_normal[i] * dfg.x + (body + metal) * dfg.y;
-    p.alpha2[i] = roughness * roughness * roughness * roughness;
-    p.root_v[i] = smithRoot(p.n_dot_v, p.alpha2[i]);
-    terms += layer.weight[i] * albedoTerms(dfg);
-    average += layer.weight[i] * averageAlbedoTerms(roughness);
-    total += layer.weight[i];
-  }
+  vec2 dfg = dfgSmith(p.n_dot_v, layer.first.perceptual_roughness);
+  p.first = lobePoint(layer, layer.first, p.n_dot_v, dfg);
+  vec2 terms = layer.first.weight * albedoTerms(dfg);
+  vec2 average = layer.first.weight * averageAlbedoTerms(layer.first.perceptual_roughness);
+  float total = layer.first.weight;
+#if DERMIS_LOBES == 2
+  dfg = dfgSmith(p.n_dot_v, layer.second.perceptual_roughness);
+  p.second = lobePoint(layer, layer.second, p.n_dot_v, dfg);
+  terms += layer.second.weight * albedoTerms(dfg);
+  average += layer.second.weight * averageAlbedoTerms(layer.second.perceptual_roughness);
+  total += layer.second.weight;
+#endif
   p.body_out = (1.0 - layer.metallic) * (vec3(1.0) - min(albedoOfTerms(layer.body_f0, terms, total), 1.0));
   // Where the layer reflects everything, body_out is 0 as well.
   p.body_norm = p.body_out / max(vec3(1.0) - albedoOfTerms(layer.body_f0, average, total), 1e-3);
@@ -90,14 +114,16 @@ LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
 // The lobes' BRDF value for one light, without the cosine.
 vec3 layerSpecular(LayerPoint p, vec3 to_light, float n_dot_l) {
   vec3 h = normalize(to_light + p.view);
-  float n_dot_h = dot(p.normal, h);
+  float n_dot_h2 = dot(p.normal, h) * dot(p.normal, h);
   vec3 n_cross_h = cross(p.normal, h);
   float sin2_n_h = dot(n_cross_h, n_cross_h);
   float grazing = pow5(1.0 - clamp(dot(p.view, h), 0.0, 1.0));
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < DERMIS_LOBES; ++i)
-    sum += DV_GGX(n_dot_h * n_dot_h, sin2_n_h, p.n_dot_v, n_dot_l, p.alpha2[i], p.root_v[i]) *
-           (p.at_normal[i] + p.at_grazing[i] * grazing);
+  vec3 sum = DV_GGX(n_dot_h2, sin2_n_h, p.n_dot_v, n_dot_l, p.first.alpha2, p.first.root_v) *
+             (p.first.at_normal + p.first.at_grazing * grazing);
+#if DERMIS_LOBES == 2
+  sum += DV_GGX(n_dot_h2, sin2_n_h, p.n_dot_v, n_dot_l, p.second.alpha2, p.second.root_v) *
+         (p.second.at_normal + p.second.at_grazing * grazing);
+#endif
   return sum;
 }
 
@@ -116,16 +142,20 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position) {
   return sum;
 }
 
+vec3 lobeImage(Lobe lobe, LobePoint point, vec3 reflected, float n_dot_v, float ao) {
+  float alpha = lobe.perceptual_roughness * lobe.perceptual_roughness;
+  return specularOcclusion(n_dot_v, ao, alpha) * point.reflectance *
+         environmentPrefiltered(reflected, lobe.perceptual_roughness);
+}
+
 // The environment: split sum (Karis 2013), one prefiltered look-up a lobe. `ao` dims the body's light, and the reflections as far as
 // they come from where it says that something is in the way.
 LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
   vec3 r = reflect(-p.view, p.normal);
-  vec3 specular = vec3(0.0);
-  for (int i = 0; i < DERMIS_LOBES; ++i) {
-    float roughness = layer.perceptual_roughness[i];
-    specular += specularOcclusion(p.n_dot_v, ao, roughness * roughness) * p.reflectance[i] *
-                environmentPrefiltered(r, roughness);
-  }
+  vec3 specular = lobeImage(layer.first, p.first, r, p.n_dot_v, ao);
+#if DERMIS_LOBES == 2
+  specular += lobeImage(layer.second, p.second, r, p.n_dot_v, ao);
+#endif
   return LayerLight(environmentIrradiance(p.normal) * ao * p.body_out, specular * horizonOcclusion(r, vertex_normal));
 }
 

@@ -12,8 +12,7 @@ Shading shade(Surface s) {
   layer.body_f0 = vec3(F0_fromIor(kCorneaIor));
   layer.metal_f0 = vec3(1.0);
   layer.metallic = 0.0;
-  layer.perceptual_roughness[0] = kTearFilmPerceptualRoughness;
-  layer.weight[0] = 1.0;
+  layer.first = Lobe(kTearFilmPerceptualRoughness, 1.0);
 
   vec3 normal = s.front_facing ? s.normal : -s.normal;
   LayerPoint p = layerPoint(layer, normal, s.view);

@@ -28,8 +28,7 @@ Shading shade(Surface s) {
   layer.body_f0 = vec3(0.04);
   layer.metal_f0 = albedo;
   layer.metallic = metallic;
-  layer.perceptual_roughness[0] = clamp(roughness, kMinPerceptualRoughness, 1.0);
-  layer.weight[0] = 1.0;
+  layer.first = Lobe(clamp(roughness, kMinPerceptualRoughness, 1.0), 1.0);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position);
