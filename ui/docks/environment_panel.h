@@ -1,0 +1,43 @@
+// The Environment dock: the lights of the surroundings, and how they are turned, exposed and seen.
+#pragma once
+
+#include <functional>
+
+#include "core/scene/scene.h"
+#include "ui/docks/panel.h"
+
+class QListWidget;
+
+namespace dermis {
+
+class Document;
+class Loading;
+class PropertyRow;
+
+class EnvironmentPanel : public Panel {
+  Q_OBJECT
+ public:
+  EnvironmentPanel(Document& document, Loading& loading, QWidget* parent = nullptr);
+
+ Q_SIGNALS:
+  void chooseFileRequested();
+
+ private:
+  void buildList();
+  void buildRows();
+  void refresh();
+  void refreshList();
+  void rememberFile();
+  void edit(const QString& what, quint64 gesture, const std::function<void(EnvironmentSource&)>& change);
+
+  Document& m_document;
+  Loading& m_loading;
+  QListWidget* m_list = nullptr;
+  PropertyRow* m_rotation = nullptr;
+  PropertyRow* m_exposure = nullptr;
+  PropertyRow* m_background = nullptr;
+  PropertyRow* m_blur = nullptr;
+  PropertyRow* m_color = nullptr;
+};
+
+}  // namespace dermis

@@ -1,0 +1,57 @@
+#include "ui/document/carry_over.h"
+
+#include <algorithm>
+
+namespace dermis {
+
+WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::shared_ptr<const Model> model,
+                    std::vector<ResolvedMaterial> imported) {
+  WholeLook after = before;
+  after.scene.model = source;
+  after.millimetresPerUnit = source.millimetresPerUnit.value_or(model->millimetresPerUnit);
+
+  after.slotLooks.clear();
+  for (std::size_t i = 0; i < model->slots.size(); ++i) {
+    const std::string& name = model->slots[i].name;
+    const SlotLook* kept = nullptr;
+    for (std::size_t j = 0; j < before.slotLooks.size(); ++j)
+      if (before.model->slots[j].name == name) kept = &before.slotLooks[j];
+    SlotLook look;
+    if (kept != nullptr) {
+      look = *kept;
+    } else if (const auto shelved = before.shelved.find(name); shelved != before.shelved.end()) {
+      look = shelved->second;
+    } else {
+      look.worn = std::move(imported[i]);
+      look.binding = MaterialBinding{look.worn.material, {}, false};
+    }
+    if (look.binding) after.scene.materials[name] = *look.binding;
+    after.slotLooks.push_back(std::move(look));
+  }
+  // Looks of slots that this model lacks wait for a model that has them.
+  for (std::size_t j = 0; j < before.slotLooks.size(); ++j)
+    after.shelved[before.model->slots[j].name] = before.slotLooks[j];
+
+  if (before.model) {
+    const glm::vec3 from = before.model->bounds.centre();
+    const glm::vec3 to = model->bounds.centre();
+    const float s = model->bounds.radius() / std::max(before.model->bounds.radius(), 1e-12F);
+    const float millimetres = s * after.millimetresPerUnit / before.millimetresPerUnit;
+    const auto place = [&](const glm::vec3& p) { return to + s * (p - from); };
+    for (Light& light : after.scene.lights) {
+      light.position = place(light.position);
+      if (light.type != LightType::Directional) light.intensity *= s * s;
+      if (light.animation.kind == AnimationKind::Sway) light.animation.amplitude *= s;
+      light.radiusMm *= millimetres;
+      light.sizeMm *= millimetres;
+    }
+    after.camera.position = place(after.camera.position);
+    after.camera.target = place(after.camera.target);
+    if (after.camera.orthographicHeight) *after.camera.orthographicHeight *= s;
+    after.scene.camera = after.camera;
+  }
+  after.model = std::move(model);
+  return after;
+}
+
+}  // namespace dermis

@@ -1,0 +1,317 @@
+#include "ui/document/document.h"
+
+#include <algorithm>
+
+#include "ui/document/carry_over.h"
+#include "ui/document/section_command.h"
+
+namespace dermis {
+
+Document::Document(QObject* parent) : QObject(parent) {
+  connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+QStringList Document::slotNames() const {
+  QStringList names;
+  if (m_now.model)
+    for (const ModelSlot& slot : m_now.model->slots) names << QString::fromStdString(slot.name);
+  return names;
+}
+
+int Document::slotIndex(const QString& slot) const {
+  if (!m_now.model) return -1;
+  const std::string name = slot.toStdString();
+  const auto& all = m_now.model->slots;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ModelSlot& s) { return s.name == name; });
+  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+const SlotLook* Document::slotLook(const QString& slot) const {
+  const int index = slotIndex(slot);
+  return index < 0 ? nullptr : &m_now.slotLooks[static_cast<std::size_t>(index)];
+}
+
+std::shared_ptr<const ResolvedScene> Document::snapshot() const {
+  if (!m_now.model) return nullptr;
+  if (!m_snapshot) {
+    auto scene = std::make_shared<ResolvedScene>();
+    scene->scene = m_now.scene;
+    scene->model = m_now.model;
+    scene->millimetresPerUnit = m_now.millimetresPerUnit;
+    for (const SlotLook& look : m_now.slotLooks) scene->slots.push_back(look.worn);
+    scene->environment = m_now.environment;
+    scene->camera = m_now.camera;
+    m_snapshot = std::move(scene);
+  }
+  return m_snapshot;
+}
+
+Scene Document::sceneForSaving() const {
+  Scene scene = m_now.scene;
+  std::erase_if(scene.materials, [this](const auto& entry) {
+    return entry.first != "*" && slotIndex(QString::fromStdString(entry.first)) < 0;
+  });
+  scene.camera = m_now.camera;
+  return scene;
+}
+
+QString Document::displayName() const {
+  if (!m_path.empty()) return QString::fromStdString(m_path.filename().string());
+  return tr("Untitled");
+}
+
+void Document::tell(Change what) {
+  m_snapshot.reset();
+  Q_EMIT changed(what);
+}
+
+template <class Section, class Apply>
+void Document::commit(const QString& text, const QString& key, Gesture gesture, Section before, Section after,
+                      Apply apply) {
+  if (before == after) return;
+  m_undo.push(new SectionCommand<Section>(text, key, gesture, std::move(before), std::move(after), std::move(apply)));
+}
+
+// --- materials -----------------------------------------------------------------------------------------------------
+
+void Document::applyLook(const QString& slot, const SlotLook& look) {
+  const int index = slotIndex(slot);
+  if (index < 0) return;
+  m_now.slotLooks[static_cast<std::size_t>(index)] = look;
+  if (look.binding)
+    m_now.scene.materials[slot.toStdString()] = *look.binding;
+  else
+    m_now.scene.materials.erase(slot.toStdString());
+  tell(Change::Material);
+}
+
+void Document::commitLook(const QString& slot, SlotLook after, const QString& text, const QString& key,
+                          Gesture gesture) {
+  const SlotLook* before = slotLook(slot);
+  if (before == nullptr) return;
+  // The binding says what a file would hold: the same material, and whether it still is its preset.
+  if (!(after.worn.material == before->worn.material) || after.binding) {
+    if (!after.binding) {
+      const MaterialBinding* shared = m_now.scene.bindingFor(slot.toStdString());
+      after.binding = shared != nullptr ? *shared : MaterialBinding{};
+    }
+    after.binding->material = after.worn.material;
+    if (after.preset) after.binding->edited = !(*after.preset == after.worn.material);
+  }
+  commit(text, QStringLiteral("material/%1/%2").arg(slot, key), gesture, *before, std::move(after),
+         [this, slot](const SlotLook& look) { applyLook(slot, look); });
+}
+
+void Document::setParameter(const QString& slot, std::string_view id, const ParameterValue& value, Gesture gesture) {
+  const ParameterRow* row = findParameter(id);
+  const SlotLook* look = slotLook(slot);
+  if (row == nullptr || look == nullptr) return;
+  SlotLook after = *look;
+  dermis::setParameter(after.worn.material.parameters, *row, clampToHardRange(*row, value));
+  const QString label = QString::fromUtf8(row->label.data(), static_cast<qsizetype>(row->label.size()));
+  const QString group = QString::fromUtf8(row->group.data(), static_cast<qsizetype>(row->group.size()));
+  commitLook(slot, std::move(after), tr("%1 › %2 of %3").arg(group, label, slot),
+             QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())), gesture);
+}
+
+void Document::setShadingModel(const QString& slot, ShadingModel model) {
+  const SlotLook* look = slotLook(slot);
+  if (look == nullptr) return;
+  SlotLook after = *look;
+  after.worn.material.model = model;
+  const std::string_view label = shadingModelRow(model).label;
+  commitLook(
+      slot, std::move(after),
+      tr("Shading model %1 for %2").arg(QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size())), slot),
+      QStringLiteral("model"), 0);
+}
+
+void Document::setTexture(const QString& slot, TextureSlot texture, const TextureBinding& binding,
+                          std::shared_ptr<const Image> image, Gesture gesture) {
+  const SlotLook* look = slotLook(slot);
+  if (look == nullptr) return;
+  SlotLook after = *look;
+  Material& material = after.worn.material;
+  const bool wasPresent = material.texture(texture).present();
+  material.texture(texture) = binding;
+  after.worn.images.at(static_cast<std::size_t>(texture)) = binding.present() ? std::move(image) : nullptr;
+  if (binding.present() && !wasPresent) {
+    // So that a dropped albedo map isn't tinted by the default albedo.
+    for (const ParameterRow& row : parameterTable()) {
+      if (row.map != texture || !row.usedBy(material.model)) continue;
+      if (!(row.get(material.parameters) == row.defaultValue())) continue;
+      if (row.type == ParameterType::Float) row.set(material.parameters, clampToHardRange(row, ParameterValue(1.0F)));
+      if (row.type == ParameterType::Colour) row.set(material.parameters, ParameterValue(Colour{glm::vec3(1.0F)}));
+    }
+  }
+  const TextureSlotRow& row = textureSlotRow(texture);
+  const QString label = QString::fromUtf8(row.label.data(), static_cast<qsizetype>(row.label.size()));
+  const QString text = !binding.present() ? tr("Clear %1 map of %2")
+                       : wasPresent       ? tr("Change %1 map of %2")
+                                          : tr("Assign %1 map to %2");
+  commitLook(slot, std::move(after), text.arg(label.toLower(), slot), QStringLiteral("texture/") + label, gesture);
+}
+
+void Document::applyMaterial(const QString& slot, const ResolvedMaterial& material, const std::string& presetPath) {
+  const SlotLook* look = slotLook(slot);
+  if (look == nullptr) return;
+  SlotLook after;
+  after.worn = material;
+  after.binding = MaterialBinding{material.material, presetPath, false};
+  after.preset = std::make_shared<const Material>(material.material);
+  const QString name = QString::fromStdString(material.material.name);
+  commitLook(slot, std::move(after), tr("Apply %1 to %2").arg(name.isEmpty() ? tr("material") : name, slot),
+             QStringLiteral("apply"), 0);
+}
+
+void Document::revertToPreset(const QString& slot, const ResolvedMaterial& material) {
+  const SlotLook* look = slotLook(slot);
+  if (look == nullptr || !look->preset) return;
+  SlotLook after = *look;
+  after.worn = material;
+  commitLook(slot, std::move(after), tr("Revert %1").arg(slot), QStringLiteral("revert"), 0);
+}
+
+void Document::markPresetSaved(const QString& slot, const std::filesystem::path& presetPath) {
+  const int index = slotIndex(slot);
+  if (index < 0) return;
+  SlotLook look = m_now.slotLooks[static_cast<std::size_t>(index)];
+  look.binding = MaterialBinding{look.worn.material, presetPath.string(), false};
+  look.preset = std::make_shared<const Material>(look.worn.material);
+  applyLook(slot, look);
+}
+
+// --- environment, lights, view --------------------------------------------------------------------------------------
+
+void Document::setEnvironment(const EnvironmentSource& source, std::shared_ptr<const EnvironmentImages> images) {
+  const QString name = images ? QString::fromStdString(images->name) : QString();
+  commit(tr("Environment %1").arg(name), QStringLiteral("environment"), 0,
+         EnvironmentLook{m_now.scene.environment, m_now.environment}, EnvironmentLook{source, std::move(images)},
+         [this](const EnvironmentLook& look) {
+           m_now.scene.environment = look.source;
+           m_now.environment = look.images;
+           tell(Change::Environment);
+         });
+}
+
+void Document::setEnvironmentSettings(const EnvironmentSource& settings, const QString& text, Gesture gesture) {
+  commit(text, QStringLiteral("environment/") + text, gesture, m_now.scene.environment, settings,
+         [this](const EnvironmentSource& source) {
+           m_now.scene.environment = source;
+           tell(Change::Environment);
+         });
+}
+
+void Document::commitLights(std::vector<Light> after, const QString& text, const QString& key, Gesture gesture) {
+  commit(text, QStringLiteral("lights/") + key, gesture, m_now.scene.lights, std::move(after),
+         [this](const std::vector<Light>& lights) {
+           m_now.scene.lights = lights;
+           tell(Change::Lights);
+         });
+}
+
+void Document::addLight(const Light& light) {
+  if (m_now.scene.lights.size() >= kMaxLights) return;
+  std::vector<Light> after = m_now.scene.lights;
+  after.push_back(light);
+  commitLights(std::move(after), tr("Add light"), QStringLiteral("add"), 0);
+}
+
+void Document::removeLight(std::size_t index) {
+  if (index >= m_now.scene.lights.size()) return;
+  std::vector<Light> after = m_now.scene.lights;
+  after.erase(after.begin() + static_cast<std::ptrdiff_t>(index));
+  commitLights(std::move(after), tr("Remove light"), QStringLiteral("remove"), 0);
+}
+
+void Document::setLight(std::size_t index, const Light& light, const QString& what, Gesture gesture) {
+  if (index >= m_now.scene.lights.size()) return;
+  std::vector<Light> after = m_now.scene.lights;
+  after[index] = light;
+  commitLights(std::move(after), tr("Light %1 › %2").arg(index + 1).arg(what),
+               QStringLiteral("%1/%2").arg(index).arg(what), gesture);
+}
+
+void Document::setView(const ViewSettings& view, Gesture gesture) {
+  const bool exposure = view.exposureStops != m_now.scene.view.exposureStops;
+  commit(exposure ? tr("View exposure") : tr("View transform"),
+         exposure ? QStringLiteral("view/exposure") : QStringLiteral("view/transform"), gesture, m_now.scene.view, view,
+         [this](const ViewSettings& settings) {
+           m_now.scene.view = settings;
+           tell(Change::View);
+         });
+}
+
+void Document::setLens(const Lens& lens, Gesture gesture) {
+  commit(tr("Lens"), QStringLiteral("lens"), gesture,
+         Lens{m_now.camera.verticalFovDegrees, m_now.camera.orthographicHeight}, lens, [this](const Lens& next) {
+           m_now.camera.verticalFovDegrees = next.verticalFovDegrees;
+           m_now.camera.orthographicHeight = next.orthographicHeight;
+           tell(Change::Lens);
+         });
+}
+
+void Document::setCamera(const Camera& camera) {
+  if (camera == m_now.camera) return;
+  m_now.camera = camera;
+  tell(Change::Camera);
+}
+
+// --- the whole ------------------------------------------------------------------------------------------------------
+
+void Document::applyWhole(const WholeLook& whole) {
+  m_now = whole;
+  const QStringList names = slotNames();
+  const bool lost = !names.contains(m_currentSlot);
+  if (lost) m_currentSlot = names.value(0);
+  tell(Change::Everything);
+  if (lost) Q_EMIT currentSlotChanged();
+}
+
+void Document::openModel(const ModelSource& source, std::shared_ptr<const Model> model,
+                         std::vector<ResolvedMaterial> imported) {
+  WholeLook after = carryOver(m_now, source, std::move(model), std::move(imported));
+  const QString name = QString::fromStdString(
+      source.path.empty() ? source.builtin : std::filesystem::path(source.path).filename().string());
+  commit(tr("Open model %1").arg(name), QStringLiteral("model"), 0, m_now, std::move(after),
+         [this](const WholeLook& whole) { applyWhole(whole); });
+}
+
+void Document::replace(const ResolvedScene& scene, const std::filesystem::path& path) {
+  WholeLook whole;
+  whole.scene = scene.scene;
+  whole.model = scene.model;
+  whole.millimetresPerUnit = scene.millimetresPerUnit;
+  whole.environment = scene.environment;
+  whole.camera = scene.camera;
+  for (std::size_t i = 0; i < scene.slots.size(); ++i) {
+    SlotLook look;
+    look.worn = scene.slots[i];
+    if (const auto own = whole.scene.materials.find(scene.model->slots[i].name); own != whole.scene.materials.end()) {
+      // From here on paths are absolute; saving makes them relative to the file again.
+      own->second.material = look.worn.material;
+      look.binding = own->second;
+      if (!own->second.edited) look.preset = std::make_shared<const Material>(look.worn.material);
+    }
+    whole.slotLooks.push_back(std::move(look));
+  }
+  m_undo.clear();
+  m_path = path;
+  m_currentSlot.clear();
+  applyWhole(whole);
+  Q_EMIT titleChanged();
+}
+
+void Document::markSaved(const std::filesystem::path& path) {
+  m_path = path;
+  m_undo.setClean();
+  Q_EMIT titleChanged();
+}
+
+void Document::setCurrentSlot(const QString& slot) {
+  if (slot == m_currentSlot || slotIndex(slot) < 0) return;
+  m_currentSlot = slot;
+  Q_EMIT currentSlotChanged();
+}
+
+}  // namespace dermis

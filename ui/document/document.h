@@ -1,0 +1,108 @@
+// The document: the scene, what its paths resolved to, and the undo stack. The only place that changes a scene.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QUndoStack>
+#include <filesystem>
+#include <memory>
+
+#include "core/material/parameter_table.h"
+#include "ui/document/sections.h"
+#include "ui/rows/gesture.h"
+
+namespace dermis {
+
+/// What has changed; panels refresh what concerns them.
+enum class Change { Everything, Material, Environment, Lights, View, Lens, Camera };
+
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  explicit Document(QObject* parent = nullptr);
+
+  // --- reading ---------------------------------------------------------------------------------------------------
+  /// False until the first look has been resolved.
+  [[nodiscard]] bool isReady() const { return m_now.model != nullptr; }
+  [[nodiscard]] const Scene& scene() const { return m_now.scene; }
+  [[nodiscard]] const std::shared_ptr<const Model>& model() const { return m_now.model; }
+  [[nodiscard]] float millimetresPerUnit() const { return m_now.millimetresPerUnit; }
+  [[nodiscard]] const Camera& camera() const { return m_now.camera; }
+  [[nodiscard]] const std::shared_ptr<const EnvironmentImages>& environmentImages() const { return m_now.environment; }
+  [[nodiscard]] QStringList slotNames() const;
+  /// Null where the model has no slot of that name.
+  [[nodiscard]] const SlotLook* slotLook(const QString& slot) const;
+  /// Of the current slot; null before the document is ready.
+  [[nodiscard]] const SlotLook* currentLook() const { return slotLook(m_currentSlot); }
+  [[nodiscard]] const QString& currentSlot() const { return m_currentSlot; }
+  /// What the renderer draws now; the same pointer until something changes. Null before the document is ready.
+  [[nodiscard]] std::shared_ptr<const ResolvedScene> snapshot() const;
+  /// What a file of this document holds: materials of slots that the model lacks are left out.
+  [[nodiscard]] Scene sceneForSaving() const;
+
+  [[nodiscard]] QUndoStack& undoStack() { return m_undo; }
+  [[nodiscard]] bool isModified() const { return !m_undo.isClean(); }
+  /// The scene's file; empty while it has none.
+  [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
+  /// For the title bar: the file's name, or the scene's own.
+  [[nodiscard]] QString displayName() const;
+
+  // --- changing: one undo entry a gesture ------------------------------------------------------------------------
+  /// Clamps to the hard range. Unknown slots and ids are ignored. `gesture` 0 makes an entry of its own.
+  void setParameter(const QString& slot, std::string_view id, const ParameterValue& value, Gesture gesture);
+  void setShadingModel(const QString& slot, ShadingModel model);
+  /// Binds a map (or clears it: an empty path). A `× map` value still at its default becomes 1 in the same step.
+  void setTexture(const QString& slot, TextureSlot texture, const TextureBinding& binding,
+                  std::shared_ptr<const Image> image, Gesture gesture = 0);
+  /// Puts a material on a slot, with its decoded maps. `presetPath` empty: an inline one.
+  void applyMaterial(const QString& slot, const ResolvedMaterial& material, const std::string& presetPath);
+  /// Back to the preset as it was read; needs the preset's decoded maps as they are bound now.
+  void revertToPreset(const QString& slot, const ResolvedMaterial& material);
+
+  void setEnvironment(const EnvironmentSource& source, std::shared_ptr<const EnvironmentImages> images);
+  /// Rotation, exposure and background of the environment there is.
+  void setEnvironmentSettings(const EnvironmentSource& settings, const QString& text, Gesture gesture);
+  void addLight(const Light& light);
+  void removeLight(std::size_t index);
+  /// `what` names the edited property in the undo entry and keeps different ones apart.
+  void setLight(std::size_t index, const Light& light, const QString& what, Gesture gesture);
+  void setView(const ViewSettings& view, Gesture gesture);
+  void setLens(const Lens& lens, Gesture gesture);
+  /// Another model: slots of the same name keep their look, the others wear `imported`; lights and camera are carried
+  /// over by the ratio of the bounds.
+  void openModel(const ModelSource& source, std::shared_ptr<const Model> model, std::vector<ResolvedMaterial> imported);
+
+  // --- changing without an undo entry ----------------------------------------------------------------------------
+  /// Navigation.
+  void setCamera(const Camera& camera);
+  void setCurrentSlot(const QString& slot);
+  /// A new or opened scene: forgets the undo history. `path` empty: untitled.
+  void replace(const ResolvedScene& scene, const std::filesystem::path& path);
+  void markSaved(const std::filesystem::path& path);
+  /// The slot's material is now what `presetPath` holds.
+  void markPresetSaved(const QString& slot, const std::filesystem::path& presetPath);
+
+ Q_SIGNALS:
+  void changed(dermis::Change what);
+  void currentSlotChanged();
+  /// Title, path or modified state.
+  void titleChanged();
+
+ private:
+  template <class Section, class Apply>
+  void commit(const QString& text, const QString& key, Gesture gesture, Section before, Section after, Apply apply);
+  void commitLook(const QString& slot, SlotLook after, const QString& text, const QString& key, Gesture gesture);
+  void commitLights(std::vector<Light> after, const QString& text, const QString& key, Gesture gesture);
+  [[nodiscard]] int slotIndex(const QString& slot) const;
+  void applyLook(const QString& slot, const SlotLook& look);
+  void applyWhole(const WholeLook& whole);
+  void tell(Change what);
+
+  WholeLook m_now;
+  QUndoStack m_undo;
+  std::filesystem::path m_path;
+  QString m_currentSlot;
+  mutable std::shared_ptr<const ResolvedScene> m_snapshot;
+};
+
+}  // namespace dermis

@@ -1,0 +1,71 @@
+// Opening and saving: everything that touches files does so beside the event loop and comes back through the document.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "core/io/asset_loader.h"
+#include "ui/document/document.h"
+#include "ui/jobs/task_runner.h"
+
+namespace dermis {
+
+enum class MessageKind { Info, Warning, Error };
+
+/// What a file is, by its name.
+enum class FileKind { Scene, Model, Preset, Environment, Image, Unknown };
+[[nodiscard]] FileKind fileKind(const std::filesystem::path& path);
+/// For file dialogs: "*.obj *.glb …".
+[[nodiscard]] QString namePatterns(FileKind kind);
+
+class Loading : public QObject {
+  Q_OBJECT
+ public:
+  Loading(Document& document, TaskRunner& tasks, QObject* parent = nullptr);
+
+  /// The embedded default look, untitled.
+  void newScene();
+  void openScene(const std::filesystem::path& path);
+  void openModel(const ModelSource& source);
+  /// `preset` is a path or "builtin:NAME".
+  void applyPreset(const std::string& preset, const QString& slot);
+  void revertToPreset(const QString& slot);
+  void setEnvironment(const EnvironmentSource& source);
+  /// Keeps the channel, colour space and so on of what was bound there before.
+  void assignTexture(const QString& slot, TextureSlot texture, const std::filesystem::path& path);
+  /// What the command line gives: one scene, one model, one environment, presets, in any order.
+  void openAtStart(const std::vector<std::filesystem::path>& files);
+
+  /// True when it was written. The sentence of what went wrong goes out as a message.
+  bool saveScene(const std::filesystem::path& path);
+  bool savePreset(const QString& slot, const std::filesystem::path& path);
+
+ Q_SIGNALS:
+  void message(dermis::MessageKind kind, const QString& sentence);
+  /// A file was opened or saved: it belongs in the list of recent ones.
+  void fileUsed(const QString& path);
+  void presetSaved(const QString& path);
+  /// The scene, model or environment asked for is in place.
+  void finished();
+
+ private:
+  /// What a worker brings back.
+  template <class T>
+  struct Outcome {
+    Result<T> result;
+    Warnings warnings;
+  };
+  /// Runs `work(options, warnings)` beside the event loop; `done(value)` follows where it succeeded, else a message.
+  template <class Work, class Done>
+  void run(const QString& lane, const QString& title, Work work, Done done, std::function<void()> failed = {});
+  void tellWarnings(const Warnings& warnings);
+
+  Document& m_document;
+  TaskRunner& m_tasks;
+  std::shared_ptr<AssetCache> m_cache = std::make_shared<AssetCache>();
+};
+
+}  // namespace dermis

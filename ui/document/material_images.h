@@ -1,0 +1,13 @@
+// A material's maps, decoded.
+#pragma once
+
+#include "core/io/asset_loader.h"
+
+namespace dermis {
+
+/// Decodes each map a material names; `embedded:N` from `model` (null: such a map is an error). Errors: Input, Runtime,
+/// Cancelled.
+[[nodiscard]] Result<ResolvedMaterial> decodeMaps(const Material& material, const std::shared_ptr<const Model>& model,
+                                                  const ResolveOptions& options, Warnings& warnings);
+
+}  // namespace dermis

@@ -1,0 +1,74 @@
+#include "ui/jobs/task_runner.h"
+
+#include <algorithm>
+
+namespace dermis {
+
+TaskRunner::~TaskRunner() {
+  // Ask all of them first, so that they stop side by side; the threads' destructors then wait.
+  for (const auto& task : m_tasks) task->thread.request_stop();
+}
+
+void TaskRunner::start(const QString& lane, const QString& title,
+                       std::function<std::function<void()>(std::stop_token)> work) {
+  cancel(lane);
+  auto task = std::make_unique<Task>();
+  task->lane = lane;
+  task->title = title;
+  task->number = ++m_last;
+  const quint64 number = task->number;
+  task->thread = std::jthread([this, number, work = std::move(work)](std::stop_token stop) mutable {
+    std::function<void()> done = work(stop);
+    QMetaObject::invokeMethod(
+        this, [this, number, done = std::move(done)] { finish(number, done); }, Qt::QueuedConnection);
+  });
+  m_tasks.push_back(std::move(task));
+  Q_EMIT activityChanged();
+}
+
+void TaskRunner::finish(quint64 number, const std::function<void()>& done) {
+  const auto found =
+      std::find_if(m_tasks.begin(), m_tasks.end(), [&](const auto& task) { return task->number == number; });
+  if (found == m_tasks.end()) return;
+  const std::unique_ptr<Task> task = std::move(*found);
+  m_tasks.erase(found);
+  if (!task->dropped) done();
+  Q_EMIT activityChanged();
+}
+
+void TaskRunner::cancel(const QString& lane) {
+  bool any = false;
+  for (const auto& task : m_tasks) {
+    if (task->lane != lane || task->dropped) continue;
+    task->dropped = true;
+    task->thread.request_stop();
+    any = true;
+  }
+  if (any) Q_EMIT activityChanged();
+}
+
+void TaskRunner::cancelAll() {
+  for (const auto& task : m_tasks) {
+    task->dropped = true;
+    task->thread.request_stop();
+  }
+  Q_EMIT activityChanged();
+}
+
+bool TaskRunner::busy() const {
+  return std::any_of(m_tasks.begin(), m_tasks.end(), [](const auto& task) { return !task->dropped; });
+}
+
+bool TaskRunner::busy(const QString& lane) const {
+  return std::any_of(m_tasks.begin(), m_tasks.end(),
+                     [&](const auto& task) { return !task->dropped && task->lane == lane; });
+}
+
+QString TaskRunner::title() const {
+  QStringList titles;
+  for (const auto& task : m_tasks)
+    if (!task->dropped) titles << task->title;
+  return titles.join(QStringLiteral(" · "));
+}
+
+}  // namespace dermis

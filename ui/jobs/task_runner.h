@@ -1,0 +1,59 @@
+// Work beside the event loop: decoding, resolving, writing. Results come back on the GUI thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace dermis {
+
+/// Runs each task on a thread of its own. Tasks of one lane replace each other: a new one asks the older to stop, and
+/// the older one's result is dropped. All methods belong to the GUI thread.
+class TaskRunner : public QObject {
+  Q_OBJECT
+ public:
+  explicit TaskRunner(QObject* parent = nullptr) : QObject(parent) {}
+  ~TaskRunner() override;
+
+  /// `work` runs beside, `done` here with what it returned, unless the task was cancelled or replaced. `work` returns
+  /// something copyable.
+  template <class Work, class Done>
+  void run(const QString& lane, const QString& title, Work work, Done done) {
+    start(lane, title,
+          [work = std::move(work), done = std::move(done)](std::stop_token stop) mutable -> std::function<void()> {
+            auto result = std::make_shared<decltype(work(stop))>(work(stop));
+            return [result, done = std::move(done)]() mutable { done(std::move(*result)); };
+          });
+  }
+
+  void cancel(const QString& lane);
+  void cancelAll();
+  [[nodiscard]] bool busy() const;
+  [[nodiscard]] bool busy(const QString& lane) const;
+  /// What is being done, for the status bar; empty when idle.
+  [[nodiscard]] QString title() const;
+
+ Q_SIGNALS:
+  /// A task has begun or ended.
+  void activityChanged();
+
+ private:
+  struct Task {
+    QString lane;
+    QString title;
+    quint64 number = 0;
+    bool dropped = false;  ///< cancelled: its result is not wanted
+    std::jthread thread;
+  };
+  void start(const QString& lane, const QString& title, std::function<std::function<void()>(std::stop_token)> work);
+  void finish(quint64 number, const std::function<void()>& done);
+
+  std::vector<std::unique_ptr<Task>> m_tasks;
+  quint64 m_last = 0;
+};
+
+}  // namespace dermis

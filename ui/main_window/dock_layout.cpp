@@ -1,0 +1,123 @@
+#include "ui/main_window/dock_layout.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QSettings>
+#include <QTimer>
+
+namespace dermis {
+namespace {
+constexpr int kStateVersion = 1;
+constexpr int kLeftWidth = 300;
+constexpr int kRightWidth = 392;
+}  // namespace
+
+DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {
+  window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks |
+                        QMainWindow::GroupedDragging);
+  window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  window.setCorner(Qt::TopLeftCorner, Qt::LeftDockWidgetArea);
+  window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  window.setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+}
+
+QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget* content) {
+  auto* dock = new QDockWidget(title, &m_window);
+  dock->setObjectName(QStringLiteral("dock.") + name);
+  dock->setAccessibleName(title);
+  dock->setWidget(content);
+  m_docks << dock;
+  m_window.addDockWidget(Qt::RightDockWidgetArea, dock);
+  // Whether a dock shares its place is only known once the layout has settled.
+  const auto later = [this] { QTimer::singleShot(0, this, &DockLayout::refreshTitleBars); };
+  connect(dock, &QDockWidget::topLevelChanged, this, later);
+  connect(dock, &QDockWidget::dockLocationChanged, this, later);
+  connect(dock, &QDockWidget::visibilityChanged, this, later);
+  return dock;
+}
+
+QDockWidget* DockLayout::dock(const char* name) const {
+  for (QDockWidget* dock : m_docks)
+    if (dock->objectName() == QStringLiteral("dock.") + QLatin1String(name)) return dock;
+  return nullptr;
+}
+
+void DockLayout::arrange() {
+  for (QDockWidget* dock : m_docks) {
+    dock->setFloating(false);
+    m_window.removeDockWidget(dock);
+  }
+  const auto put = [this](Qt::DockWidgetArea area, const char* name) {
+    m_window.addDockWidget(area, dock(name));
+    dock(name)->show();
+  };
+  put(Qt::LeftDockWidgetArea, "presets");
+  put(Qt::LeftDockWidgetArea, "environment");
+  m_window.splitDockWidget(dock("presets"), dock("environment"), Qt::Vertical);
+  for (const char* name : {"lights", "camera"}) {
+    put(Qt::LeftDockWidgetArea, name);
+    m_window.tabifyDockWidget(dock("environment"), dock(name));
+  }
+  put(Qt::RightDockWidgetArea, "material");
+  put(Qt::RightDockWidgetArea, "textures");
+  m_window.tabifyDockWidget(dock("material"), dock("textures"));
+  for (const char* name : {"log", "history"}) {
+    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(name));
+    dock(name)->hide();
+  }
+  m_window.tabifyDockWidget(dock("log"), dock("history"));
+  dock("environment")->raise();
+  dock("material")->raise();
+  m_window.resizeDocks({dock("presets"), dock("material")}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+  m_window.resizeDocks({dock("presets"), dock("environment")}, {400, 500}, Qt::Vertical);
+  refreshTitleBars();
+}
+
+void DockLayout::restore() {
+  arrange();
+  const QSettings settings;
+  m_window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  m_window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kStateVersion);
+  refreshTitleBars();
+}
+
+void DockLayout::save() const {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), m_window.saveGeometry());
+  settings.setValue(QStringLiteral("window/state"), m_window.saveState(kStateVersion));
+}
+
+void DockLayout::reset() {
+  m_hidden.clear();
+  arrange();
+}
+
+void DockLayout::toggleAll() {
+  QList<QDockWidget*> shown;
+  for (QDockWidget* dock : m_docks)
+    if (!dock->isHidden()) shown << dock;
+  if (!shown.isEmpty()) {
+    m_hidden = shown;
+    for (QDockWidget* dock : shown) dock->hide();
+  } else {
+    for (QDockWidget* dock : m_hidden) dock->show();
+    m_hidden.clear();
+  }
+}
+
+void DockLayout::refreshTitleBars() {
+  // A dock among tabs is named by its tab; a title bar would say it twice.
+  for (QDockWidget* dock : m_docks) {
+    const bool tabbed = !dock->isFloating() && !m_window.tabifiedDockWidgets(dock).isEmpty();
+    const bool bare = dock->titleBarWidget() != nullptr;
+    if (tabbed && !bare) dock->setTitleBarWidget(new QWidget(dock));
+    if (!tabbed && bare) {
+      QWidget* empty = dock->titleBarWidget();
+      dock->setTitleBarWidget(nullptr);
+      empty->deleteLater();
+    }
+  }
+}
+
+}  // namespace dermis

@@ -1,0 +1,36 @@
+// The docks: where they stand at first, remembered between sessions, hidden and brought back together.
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QDockWidget;
+class QMainWindow;
+
+namespace dermis {
+
+class DockLayout : public QObject {
+  Q_OBJECT
+ public:
+  explicit DockLayout(QMainWindow& window);
+  /// `name` is the remembered state's key.
+  QDockWidget* add(const QString& title, const QString& name, QWidget* content);
+  [[nodiscard]] const QList<QDockWidget*>& docks() const { return m_docks; }
+  /// To be called once all are added.
+  void restore();
+  void save() const;
+  void reset();
+  /// Hides all, or brings back those that were hidden.
+  void toggleAll();
+
+ private:
+  [[nodiscard]] QDockWidget* dock(const char* name) const;
+  void arrange();
+  void refreshTitleBars();
+
+  QMainWindow& m_window;
+  QList<QDockWidget*> m_docks;
+  QList<QDockWidget*> m_hidden;
+};
+
+}  // namespace dermis

@@ -1,0 +1,179 @@
+#include "ui/main_window/file_actions.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "ui/docks/presets_panel.h"
+#include "ui/document/document.h"
+#include "ui/document/loading.h"
+#include "ui/text.h"
+
+namespace dermis {
+namespace {
+const QString kRecentKey = QStringLiteral("recentFiles");
+constexpr int kRecent = 12;
+}  // namespace
+
+FileActions::FileActions(Document& document, Loading& loading, QWidget* window)
+    : QObject(window), m_document(document), m_loading(loading), m_window(window) {}
+
+QString FileActions::startFolder(const char* key) const {
+  return QSettings().value(QStringLiteral("folders/") + QLatin1String(key)).toString();
+}
+
+void FileActions::rememberFolder(const char* key, const QString& path) {
+  QSettings().setValue(QStringLiteral("folders/") + QLatin1String(key), QFileInfo(path).path());
+}
+
+bool FileActions::mayDiscard() {
+  if (!m_document.isModified()) return true;
+  QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
+                       tr("“%1” has unsaved changes.").arg(m_document.displayName()),
+                       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
+  question.setObjectName(QStringLiteral("unsavedChanges"));
+  question.setInformativeText(tr("Save them before going on?"));
+  question.setDefaultButton(QMessageBox::Save);
+  switch (question.exec()) {
+    case QMessageBox::Save:
+      return save();
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void FileActions::newScene() {
+  if (mayDiscard()) m_loading.newScene();
+}
+
+void FileActions::open(const QString& given) {
+  QString path = given;
+  if (path.isEmpty()) {
+    const QString all = QStringList{namePatterns(FileKind::Scene), namePatterns(FileKind::Model),
+                                    namePatterns(FileKind::Preset), QStringLiteral("*.hdr *.exr")}
+                            .join(QLatin1Char(' '));
+    path = QFileDialog::getOpenFileName(
+        m_window, tr("Open"), startFolder("open"),
+        tr("All that can be opened (%1);;Scenes (%2);;Models (%3);;Presets (%4);;Environments (*.hdr *.exr);;All files "
+           "(*)")
+            .arg(all, namePatterns(FileKind::Scene), namePatterns(FileKind::Model), namePatterns(FileKind::Preset)));
+    if (path.isEmpty()) return;
+    rememberFolder("open", path);
+  }
+  switch (fileKind(toPath(path))) {
+    case FileKind::Scene:
+      if (mayDiscard()) m_loading.openScene(toPath(path));
+      break;
+    case FileKind::Model: {
+      ModelSource source;
+      source.path = path.toStdString();
+      source.builtin.clear();
+      m_loading.openModel(source);
+      break;
+    }
+    case FileKind::Preset:
+      m_loading.applyPreset(path.toStdString(), m_document.currentSlot());
+      break;
+    case FileKind::Environment:
+    case FileKind::Image:
+      setEnvironmentFile(path);
+      break;
+    case FileKind::Unknown:
+      Q_EMIT m_loading.message(MessageKind::Error, tr("%1 can't be opened: by its name it is no scene (.dermis), "
+                                                      "model, preset (.json) or environment (.hdr, .exr).")
+                                                       .arg(path));
+  }
+}
+
+void FileActions::openModel() {
+  const QString path =
+      QFileDialog::getOpenFileName(m_window, tr("Open model"), startFolder("models"),
+                                   tr("Models (%1);;All files (*)").arg(namePatterns(FileKind::Model)));
+  if (path.isEmpty()) return;
+  rememberFolder("models", path);
+  ModelSource source;
+  source.path = path.toStdString();
+  source.builtin.clear();
+  m_loading.openModel(source);
+}
+
+void FileActions::chooseEnvironment() {
+  const QString path =
+      QFileDialog::getOpenFileName(m_window, tr("Choose an environment"), startFolder("environments"),
+                                   tr("Images (%1);;All files (*)").arg(namePatterns(FileKind::Environment)));
+  if (path.isEmpty()) return;
+  rememberFolder("environments", path);
+  setEnvironmentFile(path);
+}
+
+void FileActions::setEnvironmentFile(const QString& path) {
+  EnvironmentSource source = m_document.scene().environment;
+  source.faces = {};
+  source.constant.reset();
+  source.builtin.clear();
+  source.path = QFileInfo(path).absoluteFilePath().toStdString();
+  m_loading.setEnvironment(source);
+}
+
+bool FileActions::save() { return m_document.path().empty() ? saveAs() : m_loading.saveScene(m_document.path()); }
+
+bool FileActions::saveAs() {
+  const QString start = m_document.path().empty() ? startFolder("scenes") + QStringLiteral("/untitled.dermis")
+                                                  : pathText(m_document.path());
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Save scene"), start, tr("Scenes (*.dermis)"));
+  if (path.isEmpty()) return false;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".dermis");
+  rememberFolder("scenes", path);
+  return m_loading.saveScene(toPath(path));
+}
+
+void FileActions::savePreset() {
+  const SlotLook* look = m_document.currentLook();
+  if (look == nullptr) return;
+  const std::string path = look->binding ? look->binding->presetPath : std::string();
+  // What the program carries can't be written over: that becomes a preset of the user's own.
+  if (path.empty() || path.starts_with("builtin:"))
+    savePresetAs();
+  else
+    m_loading.savePreset(m_document.currentSlot(), path);
+}
+
+void FileActions::savePresetAs() {
+  const SlotLook* look = m_document.currentLook();
+  if (look == nullptr) return;
+  const QString name = look->worn.material.name.empty() ? m_document.currentSlot() : text(look->worn.material.name);
+  QString path = QFileDialog::getSaveFileName(m_window, tr("Save preset"),
+                                              userPresetFolder() + QLatin1Char('/') + name + QStringLiteral(".json"),
+                                              tr("Presets (*.json)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
+  m_loading.savePreset(m_document.currentSlot(), toPath(path));
+}
+
+void FileActions::remember(const QString& path) {
+  QSettings settings;
+  QStringList recent = settings.value(kRecentKey).toStringList();
+  recent.removeAll(path);
+  recent.prepend(path);
+  settings.setValue(kRecentKey, recent.mid(0, kRecent));
+}
+
+void FileActions::fillRecentMenu(QMenu* menu) {
+  menu->clear();
+  for (const QString& path : QSettings().value(kRecentKey).toStringList()) {
+    QAction* action = menu->addAction(QFileInfo(path).fileName());
+    action->setToolTip(path);
+    action->setEnabled(QFileInfo::exists(path));
+    connect(action, &QAction::triggered, this, [this, path] { open(path); });
+  }
+  if (menu->isEmpty()) menu->addAction(tr("None yet"))->setEnabled(false);
+  menu->addSeparator();
+  connect(menu->addAction(tr("Clear list")), &QAction::triggered, this, [] { QSettings().remove(kRecentKey); });
+}
+
+}  // namespace dermis

@@ -1,0 +1,238 @@
+#include "ui/main_window/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMimeData>
+#include <QOffscreenSurface>
+#include <QProgressBar>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+#include "ui/dialogs/screenshot_dialog.h"
+#include "ui/docks/camera_panel.h"
+#include "ui/docks/environment_panel.h"
+#include "ui/docks/lights_panel.h"
+#include "ui/docks/log_panel.h"
+#include "ui/docks/material_panel.h"
+#include "ui/docks/presets_panel.h"
+#include "ui/docks/textures_panel.h"
+#include "ui/main_window/dock_layout.h"
+#include "ui/main_window/file_actions.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/text.h"
+#include "ui/viewport/viewport.h"
+
+namespace dermis {
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setAcceptDrops(true);
+  resize(1600, 1000);
+  m_files = new FileActions(m_document, m_loading, this);
+  buildCentre();
+  buildDocks();
+  buildStatusBar();
+  buildMenus();
+  connectParts();
+  m_docks->restore();
+  refreshTitle();
+  m_viewport->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+  auto* centre = new QWidget(this);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  m_messages = new MessageBar(centre);
+  m_viewport = new Viewport(m_document, centre);
+  column->addWidget(m_messages);
+  column->addWidget(m_viewport, 1);
+  setCentralWidget(centre);
+}
+
+void MainWindow::buildDocks() {
+  m_docks = new DockLayout(*this);
+  m_material = new MaterialPanel(m_document, m_loading, this);
+  m_textures = new TexturesPanel(m_document, m_loading, this);
+  m_lights = new LightsPanel(m_document, this);
+  m_environment = new EnvironmentPanel(m_document, m_loading, this);
+  m_camera = new CameraPanel(m_document, this);
+  m_presets = new PresetsPanel(m_document, m_loading, this);
+  m_log = new LogPanel(this);
+  auto* history = new QUndoView(&m_document.undoStack(), this);
+  history->setEmptyLabel(tr("As it was opened"));
+  history->setAccessibleName(tr("History"));
+  m_docks->add(tr("Presets"), QStringLiteral("presets"), m_presets);
+  m_docks->add(tr("Environment"), QStringLiteral("environment"), m_environment);
+  m_docks->add(tr("Lights"), QStringLiteral("lights"), m_lights);
+  m_docks->add(tr("Camera && view"), QStringLiteral("camera"), m_camera);
+  m_docks->add(tr("Material"), QStringLiteral("material"), m_material);
+  m_docks->add(tr("Texture maps"), QStringLiteral("textures"), m_textures);
+  m_docks->add(tr("Log"), QStringLiteral("log"), m_log);
+  m_docks->add(tr("History"), QStringLiteral("history"), history);
+}
+
+void MainWindow::buildStatusBar() {
+  m_about = new QLabel(this);
+  m_activity = new QLabel(this);
+  m_activity->setObjectName(QStringLiteral("status.activity"));
+  m_progress = new QProgressBar(this);
+  m_progress->setTextVisible(false);
+  m_progress->setFixedWidth(140);
+  m_progress->setAccessibleName(tr("Progress"));
+  m_cancel = new QToolButton(this);
+  m_cancel->setObjectName(QStringLiteral("status.cancel"));
+  m_cancel->setText(tr("Cancel"));
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(8, 0, 8, 0);
+  statusBar()->addWidget(m_about, 1);
+  statusBar()->addPermanentWidget(m_activity);
+  statusBar()->addPermanentWidget(m_progress);
+  statusBar()->addPermanentWidget(m_cancel);
+  connect(m_cancel, &QToolButton::clicked, this, [this] {
+    m_tasks.cancelAll();
+    m_viewport->cancelJobs();
+    m_pictureFraction = -1.0;
+    refreshActivity();
+  });
+  refreshActivity();
+}
+
+void MainWindow::connectParts() {
+  connect(&m_loading, &Loading::message, this, &MainWindow::tell);
+  connect(&m_loading, &Loading::fileUsed, m_files, &FileActions::remember);
+  connect(m_viewport, &Viewport::message, this, &MainWindow::tell);
+  connect(m_camera, &CameraPanel::problem, this,
+          [this](const QString& sentence) { tell(MessageKind::Error, sentence); });
+  connect(m_viewport, &Viewport::jobProgress, this, [this](const QString& what, double fraction) {
+    m_jobTitle = what;
+    m_jobFraction = fraction;
+    refreshActivity();
+  });
+  connect(&m_tasks, &TaskRunner::activityChanged, this, &MainWindow::refreshActivity);
+  connect(&m_document, &Document::titleChanged, this, &MainWindow::refreshTitle);
+  connect(&m_document, &Document::changed, this, [this](Change what) {
+    if (what != Change::Everything || !m_document.isReady()) return;
+    const Model& model = *m_document.model();
+    const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
+                          static_cast<double>(m_document.millimetresPerUnit());
+    m_about->setText(
+        tr("%L1 triangles   ·   %2 mm tall").arg(model.indices.size() / 3).arg(height, 0, 'f', height < 100 ? 1 : 0));
+  });
+  connect(m_camera, &CameraPanel::viewRequested, m_viewport, &Viewport::showNamedView);
+  connect(m_camera, &CameraPanel::aovChosen, m_viewport, &Viewport::setAov);
+  connect(m_viewport, &Viewport::aovChanged, m_camera, &CameraPanel::showAov);
+  connect(m_environment, &EnvironmentPanel::chooseFileRequested, m_files, &FileActions::chooseEnvironment);
+  connect(m_material, &MaterialPanel::savePresetRequested, m_files, &FileActions::savePreset);
+  connect(m_presets, &PresetsPanel::saveRequested, m_files, &FileActions::savePreset);
+  connect(m_presets, &PresetsPanel::saveAsRequested, m_files, &FileActions::savePresetAs);
+}
+
+void MainWindow::open(const std::vector<std::filesystem::path>& files) { m_loading.openAtStart(files); }
+
+void MainWindow::openFile(const QString& path) { m_files->open(path); }
+
+void MainWindow::tell(MessageKind kind, const QString& sentence) {
+  m_log->add(kind, sentence);
+  if (kind == MessageKind::Info)
+    statusBar()->showMessage(sentence, 5000);
+  else
+    m_messages->showMessage(kind, sentence);
+}
+
+void MainWindow::refreshTitle() {
+  setWindowTitle(tr("%1[*] — Dermis").arg(m_document.displayName()));
+  setWindowModified(m_document.isModified());
+}
+
+void MainWindow::refreshActivity() {
+  const QString loading = m_tasks.title();
+  const bool busy = !loading.isEmpty() || !m_jobTitle.isEmpty();
+  m_activity->setText(!loading.isEmpty() ? loading : m_jobTitle);
+  m_progress->setVisible(busy);
+  m_cancel->setVisible(busy);
+  if (!m_tasks.busy(QStringLiteral("picture"))) m_pictureFraction = -1.0;
+  const double fraction = m_pictureFraction >= 0.0 ? m_pictureFraction : loading.isEmpty() ? m_jobFraction : -1.0;
+  m_progress->setRange(0, fraction < 0.0 ? 0 : 1000);
+  if (fraction >= 0.0) m_progress->setValue(static_cast<int>(fraction * 1000.0));
+}
+
+// --- pictures
+// ---------------------------------------------------------------------------------------------------------
+
+void MainWindow::askForPicture() {
+  if (!m_document.isReady()) return;
+  const double ratio = m_viewport->devicePixelRatioF();
+  ScreenshotDialog dialog(
+      {static_cast<int>(m_viewport->width() * ratio), static_cast<int>(m_viewport->height() * ratio)},
+      text(m_document.scene().view.transform), this);
+  if (dialog.exec() == QDialog::Accepted) savePicture(dialog.request());
+}
+
+void MainWindow::savePicture(const PictureRequest& given) {
+  PictureRequest request = given;
+  request.sceneFolder = m_document.path().parent_path();
+  const std::shared_ptr<const ResolvedScene> scene = m_document.snapshot();
+  if (!scene) return;
+  auto surface = std::make_shared<QOffscreenSurface>();
+  surface->setFormat(QSurfaceFormat::defaultFormat());
+  surface->create();
+  const QString name = pathText(request.path.filename());
+  const std::filesystem::path cache =
+      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  m_pictureFraction = 0.0;
+  m_tasks.run(
+      QStringLiteral("picture"), tr("Drawing %1").arg(name),
+      [this, surface, scene, request, cache, metadata = m_metadata](std::stop_token stop) {
+        const auto progress = [this](double fraction) {
+          QMetaObject::invokeMethod(
+              this,
+              [this, fraction] {
+                m_pictureFraction = fraction;
+                refreshActivity();
+              },
+              Qt::QueuedConnection);
+        };
+        return drawPicture(*surface, scene, request, cache, metadata, progress, stop);
+      },
+      // The surface is held here too: it has to go on the thread it came from.
+      [this, surface, request](Result<void> result) {
+        m_pictureFraction = -1.0;
+        if (result)
+          tell(MessageKind::Info, tr("Saved %1").arg(pathText(request.path)));
+        else if (result.error().kind != Error::Kind::Cancelled)
+          tell(MessageKind::Error, text(result.error().message));
+      });
+}
+
+// --- closing and dropping
+// ---------------------------------------------------------------------------------------------
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!m_files->mayDiscard()) {
+    event->ignore();
+    return;
+  }
+  m_tasks.cancelAll();
+  m_docks->save();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) m_files->open(url.toLocalFile());
+}
+
+}  // namespace dermis

@@ -1,0 +1,101 @@
+// The window: assembles document, viewport, docks and menus; decides nothing.
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+#include <vector>
+
+#include "ui/document/document.h"
+#include "ui/document/loading.h"
+#include "ui/jobs/picture_job.h"
+#include "ui/jobs/task_runner.h"
+
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QToolButton;
+
+namespace dermis {
+
+class CameraPanel;
+class DockLayout;
+class EnvironmentPanel;
+class FileActions;
+class LightsPanel;
+class LogPanel;
+class MaterialPanel;
+class MessageBar;
+class PresetsPanel;
+class TexturesPanel;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  /// The embedded look, or what the files say.
+  void open(const std::vector<std::filesystem::path>& files);
+  void setPictureMetadata(PictureMetadata metadata) { m_metadata = std::move(metadata); }
+  void savePicture(const PictureRequest& request);
+  /// Opens any file by its kind; a scene asks about unsaved changes first.
+  void openFile(const QString& path);
+
+  [[nodiscard]] Document& document() { return m_document; }
+  [[nodiscard]] Loading& loading() { return m_loading; }
+  [[nodiscard]] TaskRunner& tasks() { return m_tasks; }
+  [[nodiscard]] Viewport* viewport() const { return m_viewport; }
+  [[nodiscard]] FileActions* fileActions() const { return m_files; }
+  [[nodiscard]] MessageBar* messageBar() const { return m_messages; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void buildCentre();
+  void buildDocks();
+  void buildStatusBar();
+  void connectParts();
+  void refreshTitle();
+  void refreshActivity();
+  void tell(MessageKind kind, const QString& sentence);
+  void askForPicture();
+
+  // menus.cpp
+  void buildMenus();
+  void buildFileMenu();
+  void buildEditMenu();
+  void buildViewMenu();
+  void buildLightMenu();
+  void buildRenderMenu();
+  void buildWindowMenu();
+  void buildHelpMenu();
+
+  Document m_document;
+  TaskRunner m_tasks;
+  Loading m_loading{m_document, m_tasks};
+  PictureMetadata m_metadata;
+  FileActions* m_files = nullptr;
+  DockLayout* m_docks = nullptr;
+  Viewport* m_viewport = nullptr;
+  MessageBar* m_messages = nullptr;
+  MaterialPanel* m_material = nullptr;
+  TexturesPanel* m_textures = nullptr;
+  LightsPanel* m_lights = nullptr;
+  EnvironmentPanel* m_environment = nullptr;
+  CameraPanel* m_camera = nullptr;
+  PresetsPanel* m_presets = nullptr;
+  LogPanel* m_log = nullptr;
+  QLabel* m_activity = nullptr;
+  QLabel* m_about = nullptr;
+  QProgressBar* m_progress = nullptr;
+  QToolButton* m_cancel = nullptr;
+  QString m_jobTitle;
+  double m_jobFraction = 0.0;
+  double m_pictureFraction = -1.0;
+};
+
+}  // namespace dermis

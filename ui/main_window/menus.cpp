@@ -1,0 +1,196 @@
+// The menus of the main window. Every command has a shortcut where hands expect one.
+#include <QActionGroup>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include "core/scene/cameras.h"
+#include "ui/docks/lights_panel.h"
+#include "ui/docks/material_panel.h"
+#include "ui/main_window/dock_layout.h"
+#include "ui/main_window/file_actions.h"
+#include "ui/main_window/main_window.h"
+#include "ui/text.h"
+#include "ui/theme/icons.h"
+#include "ui/viewport/viewport.h"
+
+namespace dermis {
+namespace {
+
+template <class Slot>
+QAction* add(QMenu* menu, const char* icon, const QString& label, const QKeySequence& keys, QObject* context,
+             Slot slot) {
+  QAction* action = menu->addAction(label);
+  if (icon != nullptr) action->setIcon(themeIcon(icon));
+  action->setShortcut(keys);
+  QObject::connect(action, &QAction::triggered, context, slot);
+  return action;
+}
+
+}  // namespace
+
+void MainWindow::buildMenus() {
+  buildFileMenu();
+  buildEditMenu();
+  buildViewMenu();
+  buildLightMenu();
+  buildRenderMenu();
+  buildWindowMenu();
+  buildHelpMenu();
+}
+
+void MainWindow::buildFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  add(menu, "new", tr("&New"), QKeySequence::New, this, [this] { m_files->newScene(); });
+  add(menu, "open", tr("&Open…"), QKeySequence::Open, this, [this] { m_files->open(); });
+  QMenu* recent = menu->addMenu(tr("Open &recent"));
+  recent->setToolTipsVisible(true);
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecentMenu(recent); });
+  add(menu, nullptr, tr("Open &model…"), QKeySequence(QStringLiteral("Ctrl+M")), this,
+      [this] { m_files->openModel(); });
+  add(menu, "environment", tr("Choose &environment…"), QKeySequence(QStringLiteral("Ctrl+E")), this,
+      [this] { m_files->chooseEnvironment(); });
+  menu->addSeparator();
+  add(menu, "save", tr("&Save scene"), QKeySequence::Save, this, [this] { m_files->save(); });
+  add(menu, nullptr, tr("Save scene &as…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")), this,
+      [this] { m_files->saveAs(); });
+  menu->addSeparator();
+  add(menu, "preset", tr("Save &preset"), QKeySequence(QStringLiteral("Ctrl+P")), this,
+      [this] { m_files->savePreset(); });
+  add(menu, nullptr, tr("Save preset as…"), QKeySequence(QStringLiteral("Ctrl+Shift+P")), this,
+      [this] { m_files->savePresetAs(); });
+  menu->addSeparator();
+  add(menu, nullptr, tr("&Quit"), QKeySequence::Quit, this, [this] { close(); });
+}
+
+void MainWindow::buildEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = m_document.undoStack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(themeIcon("undo"));
+  QAction* redo = m_document.undoStack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
+  redo->setIcon(themeIcon("redo"));
+  menu->addAction(undo);
+  menu->addAction(redo);
+  menu->addSeparator();
+  add(menu, "search", tr("&Find parameter"), QKeySequence::Find, this, [this] { m_material->focusSearch(); });
+  add(menu, "reset", tr("Re&vert material to its preset"), {}, this,
+      [this] { m_loading.revertToPreset(m_document.currentSlot()); });
+}
+
+void MainWindow::buildViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  add(menu, "frame", tr("&Frame"), QKeySequence(Qt::Key_F), this, [this] { m_viewport->frameAll(); });
+  QMenu* views = menu->addMenu(tr("&Ready-made views"));
+  for (const NamedCameraRow& row : namedCameras()) {
+    // 1 to 4 are the four views of the published program.
+    static const QStringList kNumbered = {QStringLiteral("top-right"), QStringLiteral("top-left"),
+                                          QStringLiteral("bottom-right"), QStringLiteral("bottom-left")};
+    const QString id = text(row.id);
+    const qsizetype number = kNumbered.indexOf(id) + 1;
+    add(views, nullptr, text(row.label), number > 0 ? QKeySequence(QString::number(number)) : QKeySequence(), this,
+        [this, id] { m_viewport->showNamedView(id); });
+  }
+  menu->addSeparator();
+  QMenu* images = menu->addMenu(tr("&Show"));
+  auto* group = new QActionGroup(this);
+  for (const Aov aov : allAovs()) {
+    QString name = text(toString(aov));
+    name.replace(QLatin1Char('_'), QLatin1Char(' '));
+    name[0] = name[0].toUpper();
+    QAction* action = add(images, nullptr, aov == Aov::Beauty ? tr("Final picture") : name, {}, this,
+                          [this, aov] { m_viewport->setAov(aov); });
+    action->setCheckable(true);
+    action->setChecked(aov == Aov::Beauty);
+    action->setData(static_cast<int>(aov));
+    group->addAction(action);
+  }
+  connect(m_viewport, &Viewport::aovChanged, group, [group](Aov aov) {
+    for (QAction* action : group->actions()) action->setChecked(action->data().toInt() == static_cast<int>(aov));
+  });
+  add(menu, nullptr, tr("&Next image"), QKeySequence(Qt::Key_B), this, [this] {
+    const std::vector<Aov> all = allAovs();
+    const auto next = (static_cast<std::size_t>(m_viewport->aov()) + 1) % all.size();
+    m_viewport->setAov(all[next]);
+  });
+  menu->addSeparator();
+  QAction* statistics =
+      add(menu, nullptr, tr("S&tatistics"), {}, this, [this](bool on) { m_viewport->setStatisticsVisible(on); });
+  statistics->setCheckable(true);
+  statistics->setChecked(true);
+}
+
+void MainWindow::buildLightMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Light"));
+  add(menu, "light", tr("Add &point light"), {}, this, [this] { m_lights->addLight(LightType::Point); });
+  add(menu, "sun", tr("Add &directional light"), {}, this, [this] { m_lights->addLight(LightType::Directional); });
+  add(menu, "spot", tr("Add &spot light"), {}, this, [this] { m_lights->addLight(LightType::Spot); });
+  add(menu, "remove", tr("&Remove selected light"), {}, this, [this] { m_lights->removeSelected(); });
+  menu->addSeparator();
+  add(menu, "environment", tr("Choose &environment…"), {}, this, [this] { m_files->chooseEnvironment(); });
+  add(menu, "reset", tr("Reset environment r&otation"), {}, this, [this] {
+    EnvironmentSource next = m_document.scene().environment;
+    next.rotationDegrees = 0.0F;
+    m_document.setEnvironmentSettings(next, tr("Rotate environment"), newGesture());
+  });
+}
+
+void MainWindow::buildRenderMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Render"));
+  add(menu, "camera", tr("&Save a picture…"), QKeySequence(Qt::Key_F12), this, [this] { askForPicture(); });
+  menu->addSeparator();
+  QMenu* samples = menu->addMenu(tr("&Samples while still"));
+  auto* group = new QActionGroup(this);
+  for (const int count : {1, 16, 64, 256}) {
+    QAction* action =
+        add(samples, nullptr, QString::number(count), {}, this, [this, count] { m_viewport->setTargetSamples(count); });
+    action->setCheckable(true);
+    action->setChecked(count == 64);
+    group->addAction(action);
+  }
+}
+
+void MainWindow::buildWindowMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Window"));
+  for (QDockWidget* dock : m_docks->docks()) {
+    QAction* action = dock->toggleViewAction();
+    menu->addAction(action);
+  }
+  menu->addSeparator();
+  add(menu, nullptr, tr("&Hide or show all panels"), QKeySequence(QStringLiteral("Ctrl+Tab")), this,
+      [this] { m_docks->toggleAll(); });
+  add(menu, nullptr, tr("&Reset layout"), {}, this, [this] { m_docks->reset(); });
+}
+
+void MainWindow::buildHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  add(menu, nullptr, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, [this] {
+    QMessageBox::information(this, tr("Mouse and keys"),
+                             tr("<table cellspacing='6'>"
+                                "<tr><td><b>Drag</b></td><td>orbit</td></tr>"
+                                "<tr><td><b>Middle or Shift + drag</b></td><td>pan</td></tr>"
+                                "<tr><td><b>Wheel, right drag</b></td><td>zoom</td></tr>"
+                                "<tr><td><b>Right button + W A S D Q E</b></td><td>fly</td></tr>"
+                                "<tr><td><b>Shift + right drag</b></td><td>turn the environment</td></tr>"
+                                "<tr><td><b>Double-click</b></td><td>look at that point</td></tr>"
+                                "<tr><td><b>F</b></td><td>frame the model</td></tr>"
+                                "<tr><td><b>1 2 3 4</b></td><td>the four published views</td></tr>"
+                                "<tr><td><b>B</b></td><td>next image of the frame</td></tr>"
+                                "<tr><td><b>Ctrl + Tab</b></td><td>hide or show the panels</td></tr>"
+                                "<tr><td><b>Slider: Shift, Ctrl</b></td><td>fine, snap</td></tr>"
+                                "<tr><td><b>Double-click a label</b></td><td>reset to default</td></tr></table>"));
+  });
+  add(menu, "info", tr("&About Dermis"), {}, this, [this] {
+    QString gl = tr("No OpenGL");
+    if (const auto info = m_viewport->glInfo())
+      gl = QStringLiteral("%1<br>OpenGL %2").arg(text(info->renderer), text(info->version));
+    QMessageBox::about(this, tr("About Dermis"),
+                       tr("<b>Dermis %1</b><br>An editor for physically based skin.<br><br>%2<br>Qt %3")
+                           .arg(QStringLiteral(DERMIS_VERSION), gl, QLatin1String(qVersion())));
+  });
+}
+
+}  // namespace dermis

@@ -1,0 +1,45 @@
+// Editors of a choice among words, and of yes or no.
+#pragma once
+
+#include <QComboBox>
+
+#include "ui/rows/value_editor.h"
+
+class QCheckBox;
+
+namespace dermis {
+
+/// A combo box that the wheel turns only when it has the focus, so that scrolling a panel changes nothing.
+class QuietComboBox : public QComboBox {
+  Q_OBJECT
+ public:
+  explicit QuietComboBox(QWidget* parent = nullptr);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+};
+
+class ChoiceEditor : public ValueEditor {
+  Q_OBJECT
+ public:
+  explicit ChoiceEditor(const QStringList& words, QWidget* parent = nullptr);
+  void showValue(const ParameterValue& value) override;
+  void nameControls(const QString& path, const QString& id) override;
+  [[nodiscard]] QComboBox* box() const { return m_box; }
+
+ private:
+  QuietComboBox* m_box = nullptr;
+};
+
+class SwitchEditor : public ValueEditor {
+  Q_OBJECT
+ public:
+  explicit SwitchEditor(QWidget* parent = nullptr);
+  void showValue(const ParameterValue& value) override;
+  void nameControls(const QString& path, const QString& id) override;
+
+ private:
+  QCheckBox* m_box = nullptr;
+};
+
+}  // namespace dermis

@@ -1,0 +1,39 @@
+// A field that takes a typed number, with a comma or a point, in any locale.
+#pragma once
+
+#include <QDoubleSpinBox>
+
+#include "ui/rows/value_editor.h"
+
+namespace dermis {
+
+class NumberField : public QDoubleSpinBox {
+  Q_OBJECT
+ public:
+  explicit NumberField(const NumberRange& range, QWidget* parent = nullptr);
+  void setNumberRange(const NumberRange& range);
+  /// Shows a number without telling of an edit.
+  void showNumber(double number);
+
+ Q_SIGNALS:
+  void edited(double number, dermis::Gesture gesture);
+
+ protected:
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+  void fixup(QString& text) const override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void stepBy(int steps) override;
+
+ private:
+  NumberRange m_range;
+  GestureClock m_clock;
+};
+
+/// The number in a text such as "0,45", " 1.2 mm" or "3e-2"; nothing where there is none.
+[[nodiscard]] std::optional<double> parseNumber(const QString& text);
+
+}  // namespace dermis

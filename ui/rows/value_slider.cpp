@@ -1,0 +1,165 @@
+#include "ui/rows/value_slider.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace dermis {
+namespace {
+
+constexpr int kSteps = 10000;
+constexpr double kHandleRadius = 5.0;
+constexpr double kMargin = kHandleRadius + 1.0;
+
+double roundTo(double number, double step) { return std::round(number / step) * step; }
+
+}  // namespace
+
+ValueSlider::ValueSlider(const NumberRange& range, QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  setRange(0, kSteps);
+  setSingleStep(kSteps / 100);
+  setPageStep(kSteps / 10);
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setNumberRange(range);
+  // Keys and assistive technology move the integer slider itself.
+  connect(this, &QSlider::valueChanged, this, [this](int position) {
+    m_number = roundTo(m_range.softMin + (m_range.softMax - m_range.softMin) * position / kSteps, m_range.step());
+    Q_EMIT edited(m_number, m_clock.current());
+  });
+}
+
+void ValueSlider::setNumberRange(const NumberRange& range) {
+  m_range = range;
+  showNumber(m_number);
+}
+
+double ValueSlider::fractionOf(double number) const {
+  return std::clamp((number - m_range.softMin) / std::max(m_range.softMax - m_range.softMin, 1e-9), 0.0, 1.0);
+}
+
+void ValueSlider::showNumber(double number) {
+  m_number = number;
+  const QSignalBlocker blocker(this);
+  setValue(static_cast<int>(std::lround(fractionOf(number) * kSteps)));
+  update();
+}
+
+void ValueSlider::showDefault(std::optional<double> number) {
+  m_default = number;
+  update();
+}
+
+QPoint ValueSlider::handleCentre() const {
+  return {static_cast<int>(std::lround(kMargin + fractionOf(m_number) * (width() - 2.0 * kMargin))), height() / 2};
+}
+
+void ValueSlider::moveTo(double number, Qt::KeyboardModifiers keys) {
+  const double range = m_range.softMax - m_range.softMin;
+  const double step = keys.testFlag(Qt::ControlModifier) ? range / 20.0
+                      : keys.testFlag(Qt::ShiftModifier) ? m_range.step() / 10.0
+                                                         : m_range.step();
+  const double rounded =
+      std::clamp(m_range.softMin + roundTo(number - m_range.softMin, step), m_range.softMin, m_range.softMax);
+  if (rounded == m_number) return;
+  showNumber(rounded);
+  Q_EMIT edited(rounded, m_clock.current());
+}
+
+void ValueSlider::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) {
+    event->ignore();
+    return;
+  }
+  setFocus(Qt::MouseFocusReason);
+  m_clock.beginDrag();
+  Q_EMIT dragStarted();
+  m_lastX = event->position().x();
+  m_fraction = fractionOf(m_number);
+  // A press beside the handle brings the handle there; a press on it moves nothing yet.
+  const double away = m_lastX - handleCentre().x();
+  if (std::abs(away) > kHandleRadius + 2.0 && !event->modifiers().testFlag(Qt::ShiftModifier)) {
+    m_fraction = std::clamp((m_lastX - kMargin) / std::max(width() - 2.0 * kMargin, 1.0), 0.0, 1.0);
+    moveTo(m_range.softMin + m_fraction * (m_range.softMax - m_range.softMin), event->modifiers());
+  }
+  update();
+}
+
+void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_clock.dragging()) return;
+  const double fine = event->modifiers().testFlag(Qt::ShiftModifier) ? 0.1 : 1.0;
+  m_fraction += fine * (event->position().x() - m_lastX) / std::max(width() - 2.0 * kMargin, 1.0);
+  m_lastX = event->position().x();
+  const double inside = std::clamp(m_fraction, 0.0, 1.0);
+  moveTo(m_range.softMin + inside * (m_range.softMax - m_range.softMin), event->modifiers());
+}
+
+void ValueSlider::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !m_clock.dragging()) return;
+  m_clock.endDrag();
+  Q_EMIT dragEnded();
+  update();
+}
+
+void ValueSlider::wheelEvent(QWheelEvent* event) {
+  if (!hasFocus()) {
+    event->ignore();
+    return;
+  }
+  const double ticks = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
+  const double range = m_range.softMax - m_range.softMin;
+  const Qt::KeyboardModifiers keys = event->modifiers();
+  const double tick = keys.testFlag(Qt::ControlModifier) ? range / 20.0
+                      : keys.testFlag(Qt::ShiftModifier) ? m_range.step()
+                                                         : range / 100.0;
+  moveTo(m_number + ticks * tick, keys);
+  event->accept();
+}
+
+void ValueSlider::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const QPalette& colours = palette();
+  const double y = height() / 2.0;
+  const double left = kMargin;
+  const double right = width() - kMargin;
+  const double x = left + fractionOf(m_number) * (right - left);
+  const bool active = isEnabled();
+
+  // The track; the filled part starts at zero where the range spans it.
+  p.setPen(Qt::NoPen);
+  p.setBrush(colours.color(QPalette::Dark));
+  p.drawRoundedRect(QRectF(left - 2, y - 2, right - left + 4, 4), 2, 2);
+  const double from =
+      m_range.softMin < 0.0 && m_range.softMax > 0.0 ? left + fractionOf(0.0) * (right - left) : left - 2;
+  p.setBrush(active ? colours.color(QPalette::Light) : colours.color(QPalette::Mid));
+  p.drawRoundedRect(QRectF(std::min(from, x), y - 2, std::abs(x - from), 4), 2, 2);
+
+  if (m_default) {
+    const double mark = left + fractionOf(*m_default) * (right - left);
+    p.setBrush(colours.color(QPalette::PlaceholderText));
+    p.drawRect(QRectF(mark - 0.5, y + 4.5, 1.0, 3.0));
+  }
+
+  const bool pressed = m_clock.dragging();
+  QColor handle = colours.color(active ? QPalette::ButtonText : QPalette::PlaceholderText);
+  if (pressed) handle = colours.color(QPalette::BrightText);
+  p.setPen(
+      QPen(hasFocus() ? colours.color(QPalette::Highlight) : colours.color(QPalette::Shadow), hasFocus() ? 2.0 : 1.0));
+  p.setBrush(handle);
+  p.drawEllipse(QPointF(x, y), kHandleRadius, kHandleRadius);
+
+  // Past the soft range: a small arrow at the end says that the number goes on.
+  const bool above = m_number > m_range.softMax + m_range.step() * 0.5;
+  const bool below = m_number < m_range.softMin - m_range.step() * 0.5;
+  if (above || below) {
+    const double tip = above ? width() - 0.5 : 0.5;
+    const double base = above ? tip - 4.0 : tip + 4.0;
+    p.setPen(Qt::NoPen);
+    p.setBrush(handle);
+    p.drawPolygon(QPolygonF({{tip, y}, {base, y - 8.0}, {base, y - 4.0}}));
+  }
+}
+
+}  // namespace dermis

@@ -1,0 +1,10 @@
+// The style sheet: shapes and spacing; the colours follow theme.cpp's palette.
+#pragma once
+
+#include <QString>
+
+namespace dermis {
+
+[[nodiscard]] QString styleSheet();
+
+}  // namespace dermis
