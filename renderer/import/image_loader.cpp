@@ -11,6 +11,7 @@
 #include "import/jpeg_markers.h"
 #include "import/row_reducer.h"
 #include "import/text.h"
+#include "import/tiff_text.h"
 
 namespace dermis::import {
 namespace {
@@ -275,7 +276,7 @@ Result<ImageInfo> inspectImage(const std::filesystem::path& path) try {
   info.format = source->format();
   info.channelNames = spec.channelnames;
   for (const OIIO::ParamValue& value : spec.extra_attribs) info.metadata[value.name().string()] = value.get_string(0);
-  if (info.format == "tiff") unpackTexts(spec.get_string_attribute("ImageDescription"), info.metadata);
+  if (info.format == "tiff") unpackTexts(tiffDescription(path), info.metadata);
   if (info.format == "jpeg") unpackTexts(jpegText(path), info.metadata);
   return info;
 } catch (const std::exception& error) {

@@ -149,7 +149,10 @@ Prepared prepareDisplay(const ImageLayer& layer, const std::string& format, int 
   if (out.spec.nchannels == 2) out.spec.alpha_channel = 1;
   if (out.spec.alpha_channel >= 0) out.spec.attribute("oiio:UnassociatedAlpha", 1);
   if (!image.isFloatingPoint()) out.spec.attribute("oiio:ColorSpace", "sRGB");
-  if (format == "jpeg") out.spec.attribute("CompressionQuality", jpegQuality);
+  if (format == "jpeg") {
+    out.spec.attribute("CompressionQuality", jpegQuality);
+    out.spec.attribute("jpeg:subsampling", "4:4:4");
+  }
   if (format == "tiff") out.spec.attribute("compression", "zip");
   return out;
 }
@@ -180,9 +183,11 @@ Result<void> writeImage(const std::filesystem::path& path, const std::vector<Ima
   Prepared prepared =
       format == "openexr" ? prepareExr(layers) : prepareDisplay(layers.front(), format, options.jpegQuality);
   addMetadata(prepared.spec, format, options.metadata);
+  // Else OpenImageIO puts in the time: what we write depends on nothing but what we were given.
+  prepared.spec.attribute("DateTime", "");
 
-  const auto probe = OIIO::ImageOutput::create(format);
-  if (probe && probe->supports("ioproxy") == 0)
+  // libtiff goes back in its file to write its directory, which OpenImageIO's memory proxy doesn't get right.
+  if (format == "tiff")
     return replaceFileAtomically(path, [&](const std::filesystem::path& temporary) {
       return encode(prepared, format, name, temporary.string(), nullptr);
     });

@@ -155,6 +155,11 @@ TEST(MutatedImage, Png) { survives("m.png", written("m.png", makeImage(24, 20, 4
 TEST(MutatedImage, Png16) { survives("m.png", written("m.png", makeImage(24, 20, 3, PixelType::U16)), attemptImage); }
 TEST(MutatedImage, Jpeg) { survives("m.jpg", written("m.jpg", makeImage(24, 20, 3, PixelType::U8)), attemptImage); }
 TEST(MutatedImage, Tiff) { survives("m.tif", written("m.tif", makeImage(24, 20, 4, PixelType::U8)), attemptImage); }
+TEST(MutatedImage, RadianceHdr) {
+  std::string pixels;
+  for (int i = 0; i < 80; ++i) pixels += std::string("\x80\x40\x20\x81", 4);
+  survives("m.hdr", "#?RADIANCE\nGAMMA=1\nFORMAT=32-bit_rle_rgbe\n\n-Y 10 +X 8\n" + pixels, attemptImage);
+}
 TEST(MutatedImage, Exr) { survives("m.exr", written("m.exr", makeImage(24, 20, 4, PixelType::Half)), attemptImage); }
 
 }  // namespace
