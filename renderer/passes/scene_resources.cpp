@@ -58,7 +58,7 @@ bool samePicture(const ResolvedScene& a, const ResolvedScene& b) {
 SceneResources::SceneResources(const RendererOptions& options, bool software)
     : m_options(options),
       m_software(software),
-      m_textures(options.maximumTextureSize, software ? 8.0F : 16.0F),
+      m_textures(options.maximumTextureSize, software ? 1.0F : 16.0F),
       m_dfg(DfgTables::create()) {
   m_canSkipDecode = epoxy_has_gl_extension("GL_EXT_texture_sRGB_decode");
   m_rawSampler = gl::Sampler::create("without sRGB decoding");
@@ -70,7 +70,7 @@ SceneResources::SceneResources(const RendererOptions& options, bool software)
   if (m_canSkipDecode) glSamplerParameteri(sampler, GL_TEXTURE_SRGB_DECODE_EXT, GL_SKIP_DECODE_EXT);
   GLfloat most = 1.0F;
   glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
-  glSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY, std::min(software ? 8.0F : 16.0F, most));
+  glSamplerParameterf(sampler, GL_TEXTURE_MAX_ANISOTROPY, std::min(software ? 1.0F : 16.0F, most));
 
   // Bound while there is no environment: reading an unbound unit is defined, but drivers complain.
   const std::vector<float> black(6 * 4, 0.0F);
