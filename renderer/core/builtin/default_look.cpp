@@ -17,18 +17,20 @@ Material skinMaterial() {
   Material material;
   material.name = "Fair skin";
   material.model = ShadingModel::Skin;
-  material.parameters.baseAlbedo = {{0.78F, 0.53F, 0.42F}};
-  material.parameters.specularPerceptualRoughness = 0.42F;
+  material.parameters.baseAlbedo = {{0.80F, 0.52F, 0.41F}};
+  material.parameters.specularPerceptualRoughness = 0.40F;
   return material;
 }
 
 Material eyeMaterial() {
   Material material;
-  material.name = "Brown eye";
+  material.name = "Blue-green eye";
   material.model = ShadingModel::Eye;
   material.parameters.specularIor = 1.376F;
-  material.parameters.specularPerceptualRoughness = 0.06F;
+  material.parameters.specularPerceptualRoughness = 0.05F;
   material.parameters.specularLobeScale = {1.0F, 1.0F};
+  material.parameters.eyeIrisColor = {{0.07F, 0.14F, 0.17F}};
+  material.parameters.eyeLimbusDarkness = 0.7F;
   return material;
 }
 
@@ -53,7 +55,7 @@ Model trio() {
   // Scene units of 100 mm. All three rest on the plane y = −1.
   const std::array<Ball, 3> balls = {{
       {"skin", skinMaterial(), 1.0F, {0.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 0.0F}},
-      {"eye", eyeMaterial(), 0.58F, {-1.42F, -0.42F, 0.62F}, {0.0F, 14.0F, 0.0F}},
+      {"eye", eyeMaterial(), 0.58F, {-1.42F, -0.42F, 0.62F}, {0.0F, 0.0F, 0.0F}},
       {"gold", goldMaterial(), 0.58F, {1.42F, -0.42F, 0.62F}, {0.0F, 0.0F, 0.0F}},
   }};
   Model model;
@@ -93,11 +95,10 @@ Scene defaultLook() {
   }
   scene.model.builtin = "default";
   scene.environment.builtin = "studio";
-  scene.environment.background = {BackgroundKind::Prefiltered, 0.55F, glm::vec3(0.0F)};
   Camera camera;
-  camera.position = {0.0F, 0.62F, 8.6F};
-  camera.target = {0.0F, -0.06F, 0.2F};
-  camera.verticalFovDegrees = 20.0F;
+  camera.position = {0.0F, 0.9F, 8.6F};
+  camera.target = {0.0F, -0.1F, 0.2F};
+  camera.verticalFovDegrees = 19.5F;
   scene.camera = camera;
   return scene;
 }

@@ -88,10 +88,12 @@ RadianceFunction studio() {
   return [boxes](const glm::vec3& d) {
     // Dark walls, lighter towards a paper roll behind the subject, and a warm floor that bounces the key.
     const glm::vec3 wall = glm::vec3(0.034F, 0.036F, 0.040F) * (1.0F - 0.55F * smooth(0.0F, 1.0F, d.y));
-    const float backdrop = smooth(0.35F, 1.0F, -d.z) * (1.0F - smooth(0.05F, 0.75F, std::abs(d.y - 0.02F)));
+    // A pool of light on the backdrop: a Gaussian of the angle from straight behind, lengthwise a little wider.
+    const float spread = (d.x * d.x / (0.30F * 0.30F) + (d.y - 0.02F) * (d.y - 0.02F) / (0.22F * 0.22F)) * 0.5F;
+    const float backdrop = d.z < 0.0F ? std::exp(-spread) : 0.0F;
     const float below = smooth(0.05F, -0.75F, d.y);
     const float bounce = below * (0.5F + 0.5F * smooth(-0.9F, 0.9F, d.z - 0.4F * d.x));
-    glm::vec3 sum = wall + backdrop * glm::vec3(0.055F, 0.060F, 0.070F) + bounce * glm::vec3(0.20F, 0.175F, 0.15F);
+    glm::vec3 sum = wall + backdrop * glm::vec3(0.150F, 0.162F, 0.185F) + bounce * glm::vec3(0.20F, 0.175F, 0.15F);
     for (const PlacedBox& box : boxes) sum += box.radiance(d);
     return sum;
   };
