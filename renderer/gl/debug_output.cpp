@@ -24,8 +24,10 @@ Listeners& listeners() {
 }
 
 // GLAPIENTRY: the driver calls this.
-void GLAPIENTRY onMessage(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum severity, GLsizei length,
+void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint /*id*/, GLenum severity, GLsizei length,
                           const GLchar* text, const void* /*user*/) {
+  // What the compiler says comes back from the shader library with its file and line.
+  if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
   if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
   const std::string message = length < 0 ? std::string(text) : std::string(text, static_cast<std::size_t>(length));
   const std::lock_guard lock(listeners().mutex);

@@ -49,7 +49,7 @@ TEST_F(FrameShaders, IncludesAreResolvedOnceAndErrorsNameFileAndLine) {
   EXPECT_THAT(program.error().message, StartsWith("t.frag:5:"));
   EXPECT_THAT(program.error().message, HasSubstr("oops"));
 
-  write("sub/a.glsl", "\n\nvec4 a() { return vec5(1.0); }\n");
+  write("sub/a.glsl", "\n\nvec4 a() { return vec4(nope); }\n");
   write("t.frag", "#include \"sub/a.glsl\"\nout vec4 o;\nvoid main() { o = a(); }\n");
   Warnings messages;
   EXPECT_FALSE(shaders.reloadChanged(messages));

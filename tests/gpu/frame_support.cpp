@@ -10,12 +10,15 @@
 namespace dermis::test {
 
 std::shared_ptr<const EnvironmentImages> constantWorld(const glm::vec3& radiance) {
-  static std::uint64_t hash = 0xf4a3e0000;
+  // One of a radiance: a renderer that has it baked doesn't bake it again.
+  static std::vector<std::shared_ptr<EnvironmentImages>> made;
+  for (const auto& known : made)
+    if (known->constant == radiance) return known;
   auto environment = std::make_shared<EnvironmentImages>();
   environment->constant = radiance;
-  environment->contentHash = ++hash;
+  environment->contentHash = 0xf4a3e0000 + made.size();
   environment->name = "constant";
-  return environment;
+  return made.emplace_back(std::move(environment));
 }
 
 ResolvedScene sceneOf(Model model, const Material& material, const glm::vec3& environment) {
