@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 
 #include "core/base/file_reference.h"
@@ -256,6 +257,10 @@ Outcome<Look> resolveLook(const LookOptions& options, ProgressLine& progress, Wa
     view = *found;
     look.viewGiven = true;
   }
+
+  // A colour configuration that cannot be read spoils every picture: say so before the work.
+  if (const char* config = std::getenv("OCIO"); config != nullptr && *config != '\0')
+    if (const Result<DisplayViews> views = displayViews(); !views) return failure(views.error());
 
   // 2. The scene: a file, or the embedded look, or a bare model under the built-in studio.
   Scene scene = defaultLook();
