@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <numbers>
 
 #include "reference/quadrature.h"
@@ -35,9 +37,15 @@ double meanCosineOfLobe(double perceptualRoughness) {
 
 Surroundings linearSurroundings(const dvec3& base, const dvec3& x, const dvec3& y, const dvec3& z) {
   const auto slope = [=](const dvec3& d) { return x * d.x + y * d.y + z * d.z; };
+  const auto known =
+      std::make_shared<std::map<double, double>>();  // a sphere asks for the same roughness at each pixel
   return {[=](const dvec3& d) { return base + slope(d); },
           [=](const dvec3& n) { return base + slope(n) * (2.0 / 3.0); },
-          [=](const dvec3& r, double roughness) { return base + slope(r) * meanCosineOfLobe(roughness); }};
+          [=](const dvec3& r, double roughness) {
+            const auto [mean, isNew] = known->try_emplace(roughness, 0.0);
+            if (isNew) mean->second = meanCosineOfLobe(roughness);
+            return base + slope(r) * mean->second;
+          }};
 }
 
 SplitSumCurve thesisSplitSum(double roughness) {
