@@ -1,6 +1,7 @@
 // What the program spends its time on: loading, baking, a frame. `build/bin/dermis_bench`; figures in
 // docs/benchmarks.md.
 #include <benchmark/benchmark.h>
+#include <epoxy/gl.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,8 +13,8 @@
 #include "core/io/asset_loader.h"
 #include "core/io/importer.h"
 #include "core/scene/primitives.h"
-#include "gl/gl_objects.h"
 #include "gl/headless_context.h"
+#include "gl/offscreen_target.h"
 #include "renderer.h"
 
 namespace dermis {
@@ -28,12 +29,8 @@ class Stage {
   }
   Renderer& renderer() { return *m_renderer; }
   unsigned framebuffer(glm::ivec2 size) {
-    m_target =
-        gl::Texture::create({.format = GL_RGBA8, .width = size.x, .height = size.y, .label = "benchmark picture"});
-    m_framebuffer = gl::Framebuffer::create("benchmark picture");
-    m_framebuffer.attachColour(0, m_target);
-    m_framebuffer.drawTo(1);
-    return m_framebuffer.id();
+    m_target = std::make_unique<gl::OffscreenTarget>(size);
+    return m_target->framebuffer();
   }
 
  private:
@@ -41,7 +38,9 @@ class Stage {
     auto context = gl::HeadlessContext::create();
     if (!context) fail(context.error());
     m_context = std::move(*context);
-    auto renderer = Renderer::create({.cacheFolder = {}, .platform = m_context->platform()});
+    RendererOptions options;
+    options.platform = m_context->platform();
+    auto renderer = Renderer::create(options);
     if (!renderer) fail(renderer.error());
     m_renderer = std::move(*renderer);
   }
@@ -52,8 +51,7 @@ class Stage {
 
   std::unique_ptr<gl::HeadlessContext> m_context;
   std::unique_ptr<Renderer> m_renderer;
-  gl::Texture m_target;
-  gl::Framebuffer m_framebuffer;
+  std::unique_ptr<gl::OffscreenTarget> m_target;
 };
 
 std::shared_ptr<const ResolvedScene> resolved(const Scene& scene) {
