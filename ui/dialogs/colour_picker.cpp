@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/dialogs/colour_areas.h"
 #include "ui/rows/colour_editor.h"
@@ -120,7 +121,7 @@ void ColourPicker::showColour(const glm::vec3& linear) {
   for (int i = 0; i < 3; ++i) {
     m_channels[static_cast<std::size_t>(i)]->showNumber(static_cast<double>(linear[i]));
     m_encoded[static_cast<std::size_t>(i)]->showNumber(
-        255.0 * static_cast<double>(encodeSrgb(std::clamp(linear[i], 0.0F, 1.0F))));
+        std::round(2550.0 * static_cast<double>(encodeSrgb(std::clamp(linear[i], 0.0F, 1.0F)))) / 10.0);
   }
   m_hex->setText(screen.name().toUpper());
   m_now->showColour(linear);

@@ -8,7 +8,7 @@
 namespace dermis {
 namespace {
 constexpr int kStateVersion = 1;
-constexpr int kLeftWidth = 300;
+constexpr int kLeftWidth = 344;
 constexpr int kRightWidth = 392;
 }  // namespace
 

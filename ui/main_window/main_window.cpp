@@ -120,6 +120,8 @@ void MainWindow::connectParts() {
   connect(&m_document, &Document::titleChanged, this, &MainWindow::refreshTitle);
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if (what != Change::Everything || !m_document.isReady()) return;
+    // The embedded look stands in a window of any shape; a scene from a file keeps its camera.
+    if (m_document.path().empty() && m_document.undoStack().count() == 0) m_viewport->frameAll();
     const Model& model = *m_document.model();
     const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
                           static_cast<double>(m_document.millimetresPerUnit());

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "ui/dialogs/colour_picker.h"
 #include "ui/rows/colour_math.h"
@@ -135,7 +136,7 @@ void ColourEditor::refresh() {
     const QSignalBlocker blocker(m_switch);
     m_switch->setChecked(m_own);
   }
-  if (m_brightness != nullptr) m_brightness->showNumber(static_cast<double>(meanOf(shown)));
+  if (m_brightness != nullptr) m_brightness->showNumber(std::round(static_cast<double>(meanOf(shown)) * 1e5) * 1e-5);
   if (m_picker != nullptr && m_picker->isVisible()) m_picker->showColour(shown);
 }
 

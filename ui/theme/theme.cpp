@@ -32,6 +32,11 @@ class ChromeStyle : public QProxyStyle {
         return QProxyStyle::pixelMetric(metric, option, widget);
     }
   }
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    if (element == PE_FrameTabBarBase) return;
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+  }
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
     if (hint == SH_ComboBox_Popup) return 0;

@@ -13,7 +13,7 @@ class Pace {
   void measured(double milliseconds);
 
  private:
-  double m_scale = 1.0;
+  double m_scale = 0.5;  // until something was measured: better coarse at first than late
   double m_smoothed = 0.0;
 };
 

@@ -104,7 +104,6 @@ void Viewport::paintGL() {
   if (scene != m_drawn) {
     m_renderer->setScene(scene);
     m_drawn = scene;
-    m_jobsLeft = true;
   }
   if (m_firstFrame && m_renderer->runJobs(kJobSliceMs)) {
     // Nothing to show yet; the window answers while programs and environment are made.
@@ -113,7 +112,13 @@ void Viewport::paintGL() {
     return;
   }
   drawFrame();
-  scheduleNext();
+  // A slice of what is queued; when it was the last one, the picture is drawn again with what it made.
+  const bool queued = !m_renderer->jobProgress().first.empty();
+  m_jobsLeft = m_renderer->runJobs(kJobSliceMs);
+  if (queued && !m_jobsLeft)
+    m_next.start(0);
+  else
+    scheduleNext();
 }
 
 void Viewport::drawFrame() {
@@ -224,6 +229,9 @@ bool Viewport::isSettled() const {
 }
 
 void Viewport::refreshStatistics(double milliseconds) {
+  // A picture that compiled a program or waited for the machine says little of the next one.
+  if (m_smoothedMs > 0.0 && (milliseconds > 5.0 * m_smoothedMs || m_smoothedMs > 5.0 * milliseconds))
+    m_smoothedMs = 0.0;
   m_smoothedMs = m_smoothedMs <= 0.0 ? milliseconds : 0.8 * m_smoothedMs + 0.2 * milliseconds;
   m_scaleBar->showScale(
       static_cast<double>(navigation::unitsPerPixel(m_document.camera(), static_cast<float>(height()))) *
@@ -235,7 +243,7 @@ void Viewport::refreshStatistics(double milliseconds) {
   if (m_sinceText.isValid() && m_sinceText.elapsed() < 200 && !last) return;
   m_sinceText.start();
   const QString line = QStringLiteral("%1 fps   %2 ms   %3/%4")
-                           .arg(static_cast<int>(std::lround(1000.0 / std::max(m_smoothedMs, 0.1))))
+                           .arg(1000.0 / std::max(m_smoothedMs, 0.1), 0, 'f', m_smoothedMs > 100.0 ? 1 : 0)
                            .arg(m_smoothedMs, 0, 'f', 1)
                            .arg(now.samples)
                            .arg(now.targetSamples);

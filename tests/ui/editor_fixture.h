@@ -1,0 +1,83 @@
+// The real window on the embedded look, with hands: drags, types, waits.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "ui/docks/panel.h"
+#include "ui/main_window/file_actions.h"
+#include "ui/main_window/main_window.h"
+#include "ui/main_window/message_bar.h"
+#include "ui/rows/number_field.h"
+#include "ui/rows/property_row.h"
+#include "ui/rows/value_slider.h"
+#include "ui/viewport/viewport.h"
+
+namespace dermis {
+
+constexpr int kPatienceMs = 60000;  // software OpenGL on a busy machine
+
+class Editor : public testing::Test {
+ protected:
+  /// One window for all tests, each of which starts from the embedded look: GL programs are compiled once.
+  void SetUp() override;
+  /// Before QApplication goes.
+  friend void closeEditor();
+
+  Document& document() { return window->document(); }
+  QUndoStack& undo() { return document().undoStack(); }
+  template <class T = QWidget>
+  T* find(const QString& name) {
+    return window->findChild<T*>(name);
+  }
+
+  /// The viewport's picture once it has come to rest.
+  QImage picture() {
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window->viewport()->isSettled(); }, kPatienceMs));
+    return window->viewport()->grabFramebuffer();
+  }
+
+  bool waitIdle() {
+    return QTest::qWaitFor([this] { return !window->tasks().busy(); }, kPatienceMs);
+  }
+
+  /// Drags a slider's handle by `pixels` in small steps, as a hand does.
+  static void drag(QWidget* widget, QPoint from, int pixels, Qt::KeyboardModifiers keys = {},
+                   Qt::MouseButton button = Qt::LeftButton) {
+    QTest::mousePress(widget, button, keys, from);
+    for (int i = 1; i <= 8; ++i) {
+      const QPoint at = from + QPoint(pixels * i / 8, 0);
+      QMouseEvent move(QEvent::MouseMove, QPointF(at), widget->mapToGlobal(QPointF(at)), Qt::NoButton, button, keys);
+      QApplication::sendEvent(widget, &move);
+    }
+    QTest::mouseRelease(widget, button, keys, from + QPoint(pixels, 0));
+  }
+
+  /// Makes a row's control visible by opening the dock it lies in and scrolling there.
+  void reveal(QWidget* control);
+
+  static float meanDifference(const QImage& a, const QImage& b);
+  static std::string write(const QTemporaryDir& folder, const char* name, const std::string& bytes) {
+    const std::string path = folder.filePath(QString::fromUtf8(name)).toStdString();
+    std::ofstream(path, std::ios::binary) << bytes;
+    return path;
+  }
+
+  static inline std::unique_ptr<MainWindow> window;
+};
+
+void closeEditor();
+
+/// A triangle with one material, `slot`, `size` scene units wide, as OBJ with its MTL beside it.
+std::string triangleObj(const std::string& slot, float size);
+/// A lat-long Radiance HDR, 4 × 2, of one colour.
+std::string flatHdr(unsigned char r, unsigned char g, unsigned char b);
+
+}  // namespace dermis

@@ -1,0 +1,98 @@
+// Hands on the picture.
+#include <QLabel>
+
+#include "core/scene/cameras.h"
+#include "ui/editor_fixture.h"
+#include "ui/viewport/navigation.h"
+#include "ui/viewport/pace.h"
+
+namespace dermis {
+namespace {
+
+using ViewportGestures = Editor;
+
+TEST_F(ViewportGestures, DraggingOrbitsAndIsNoUndoEntry) {
+  const QImage before = picture();
+  const Camera start = document().camera();
+  Viewport* viewport = window->viewport();
+  drag(viewport, viewport->rect().center(), 120);
+  EXPECT_NE(document().camera().position, start.position);
+  EXPECT_NEAR(glm::length(document().camera().position - document().camera().target),
+              glm::length(start.position - start.target), 1e-3F);
+  EXPECT_EQ(undo().count(), 0);
+  EXPECT_FALSE(document().isModified());
+  EXPECT_GT(meanDifference(before, picture()), 0.2F);
+}
+
+TEST_F(ViewportGestures, ShiftAndRightDragTurnsTheEnvironmentAsOneEntry) {
+  Viewport* viewport = window->viewport();
+  drag(viewport, viewport->rect().center(), 100, Qt::ShiftModifier, Qt::RightButton);
+  EXPECT_NE(document().scene().environment.rotationDegrees, 0.0F);
+  EXPECT_EQ(undo().count(), 1);
+  undo().undo();
+  EXPECT_EQ(document().scene().environment.rotationDegrees, 0.0F);
+}
+
+TEST_F(ViewportGestures, TheNumberKeysShowThePublishedViews) {
+  Viewport* viewport = window->viewport();
+  window->activateWindow();
+  viewport->setFocus();
+  const char* names[] = {"top-right", "top-left", "bottom-right", "bottom-left"};
+  for (int i = 0; i < 4; ++i) {
+    QTest::keyClick(viewport, static_cast<Qt::Key>(Qt::Key_1 + i));
+    EXPECT_EQ(document().camera().position, namedCamera(names[i], document().model()->bounds)->position) << names[i];
+  }
+}
+
+TEST_F(ViewportGestures, LightsAndViewAreUndoneToTheStart) {
+  const Scene start = document().scene();
+  document().addLight(Light{});
+  Light light = document().scene().lights.front();
+  light.intensity = 7.0F;
+  document().setLight(0, light, QStringLiteral("Intensity"), newGesture());
+  ViewSettings view = document().scene().view;
+  view.exposureStops = 1.0F;
+  document().setView(view, newGesture());
+  view.transform = "Raw";
+  document().setView(view, newGesture());
+  EXPECT_EQ(undo().count(), 4);
+  while (undo().canUndo()) undo().undo();
+  EXPECT_EQ(document().scene(), start);
+}
+
+TEST_F(ViewportGestures, ThePictureHasVarianceAndTheStatisticsSpeak) {
+  const QImage shown = picture();
+  EXPECT_GT(meanDifference(shown, QImage(shown.size(), shown.format())), 5.0F);
+  EXPECT_TRUE(find<QLabel>(QStringLiteral("viewport.statistics"))->text().contains(QStringLiteral("fps")));
+  EXPECT_TRUE(find<QLabel>(QStringLiteral("viewport.problem"))->isHidden());
+}
+
+TEST(Pace, DrawsSmallerOnSlowMachinesAndWholeOnFastOnes) {
+  Pace slow;
+  for (int i = 0; i < 20; ++i) slow.measured(200.0 * slow.scale() * slow.scale());
+  EXPECT_LE(slow.scale(), 0.5);
+  EXPECT_GE(slow.scale(), 0.375);
+  Pace fast;
+  for (int i = 0; i < 20; ++i) fast.measured(10.0);
+  EXPECT_EQ(fast.scale(), 1.0);
+}
+
+TEST(Navigation, OrbitStopsShortOfThePoles) {
+  Camera camera;
+  for (int i = 0; i < 100; ++i) camera = navigation::orbit(camera, 0.1F, 0.3F);
+  EXPECT_LT(camera.position.y, glm::length(camera.position));
+  EXPECT_NEAR(glm::length(camera.position), 6.0F, 1e-3F);
+}
+
+TEST(Navigation, FrameKeepsTheBoundsInView) {
+  Bounds bounds;
+  bounds.grow({9, 9, 9});
+  bounds.grow({11, 11, 11});
+  const Camera camera = navigation::frame(Camera{}, bounds, 0.5F);
+  EXPECT_EQ(camera.target, glm::vec3(10.0F));
+  const float half = std::atan(std::tan(0.5F * glm::radians(camera.verticalFovDegrees)) * 0.5F);
+  EXPECT_GE(glm::length(camera.position - camera.target) * std::sin(half), bounds.radius());
+}
+
+}  // namespace
+}  // namespace dermis
