@@ -4,7 +4,7 @@
 namespace dermis::embedded {
 
 struct Row {
-  const char* path;   // relative to resources/, e.g. "shaders/sky.frag"; null in the closing row
+  const char* path;  // relative to resources/, e.g. "shaders/sky.frag"; null in the closing row
   const char* begin;
   const char* end;
 };

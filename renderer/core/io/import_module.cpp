@@ -35,7 +35,8 @@ Result<const Importer*> importer() {
     if (handle == nullptr) return runtimeError(std::string("the import module does not load: ") + dlerror());
     using Entry = const Importer* (*)();
     const auto entry = reinterpret_cast<Entry>(dlsym(handle, kImporterSymbol));
-    if (entry == nullptr) return runtimeError("the import module " + candidate.string() + " has no entry; reinstall Dermis");
+    if (entry == nullptr)
+      return runtimeError("the import module " + candidate.string() + " has no entry; reinstall Dermis");
     g_importer = entry();
     return g_importer.load();
   }

@@ -11,22 +11,38 @@ namespace {
 template <class T>
 struct TypeOf;
 template <>
-struct TypeOf<float> { static constexpr auto kType = ParameterType::Float; };
+struct TypeOf<float> {
+  static constexpr auto kType = ParameterType::Float;
+};
 template <>
-struct TypeOf<glm::vec2> { static constexpr auto kType = ParameterType::Vec2; };
+struct TypeOf<glm::vec2> {
+  static constexpr auto kType = ParameterType::Vec2;
+};
 template <>
-struct TypeOf<glm::vec3> { static constexpr auto kType = ParameterType::Vec3; };
+struct TypeOf<glm::vec3> {
+  static constexpr auto kType = ParameterType::Vec3;
+};
 template <>
-struct TypeOf<Colour> { static constexpr auto kType = ParameterType::Colour; };
+struct TypeOf<Colour> {
+  static constexpr auto kType = ParameterType::Colour;
+};
 template <>
-struct TypeOf<OptionalColour> { static constexpr auto kType = ParameterType::OptionalColour; };
+struct TypeOf<OptionalColour> {
+  static constexpr auto kType = ParameterType::OptionalColour;
+};
 template <>
-struct TypeOf<bool> { static constexpr auto kType = ParameterType::Bool; };
+struct TypeOf<bool> {
+  static constexpr auto kType = ParameterType::Bool;
+};
 template <>
-struct TypeOf<GaussianTable> { static constexpr auto kType = ParameterType::Gaussians; };
+struct TypeOf<GaussianTable> {
+  static constexpr auto kType = ParameterType::Gaussians;
+};
 template <class T>
-  requires std::is_enum_v<T>
-struct TypeOf<T> { static constexpr auto kType = ParameterType::Enum; };
+requires std::is_enum_v<T>
+struct TypeOf<T> {
+  static constexpr auto kType = ParameterType::Enum;
+};
 
 /// A row about to be written: the member gives type and accessors, the chained calls the rest.
 struct Builder {
@@ -42,12 +58,30 @@ struct Builder {
     row.softMax = highest;
     return std::move(*this);
   }
-  Builder&& unit(std::string_view text) && { row.unit = text; return std::move(*this); }
-  Builder&& kernel() && { row.invalidates = Invalidates::DiffusionKernel; return std::move(*this); }
-  Builder&& map(TextureSlot slot) && { row.map = slot; return std::move(*this); }
-  Builder&& words(std::span<const std::string_view> list) && { row.words = list; return std::move(*this); }
-  Builder&& says(std::string_view text) && { row.sentence = text; return std::move(*this); }
-  Builder&& from(std::string_view text) && { row.source = text; return std::move(*this); }
+  Builder&& unit(std::string_view text) && {
+    row.unit = text;
+    return std::move(*this);
+  }
+  Builder&& kernel() && {
+    row.invalidates = Invalidates::DiffusionKernel;
+    return std::move(*this);
+  }
+  Builder&& map(TextureSlot slot) && {
+    row.map = slot;
+    return std::move(*this);
+  }
+  Builder&& words(std::span<const std::string_view> list) && {
+    row.words = list;
+    return std::move(*this);
+  }
+  Builder&& says(std::string_view text) && {
+    row.sentence = text;
+    return std::move(*this);
+  }
+  Builder&& from(std::string_view text) && {
+    row.source = text;
+    return std::move(*this);
+  }
 };
 
 template <auto Member>
@@ -220,12 +254,16 @@ Std140 std140Of(ParameterType type) {
   switch (type) {
     case ParameterType::Float:
     case ParameterType::Enum:
-    case ParameterType::Bool: return {4, 4};
-    case ParameterType::Vec2: return {8, 8};
+    case ParameterType::Bool:
+      return {4, 4};
+    case ParameterType::Vec2:
+      return {8, 8};
     case ParameterType::Vec3:
     case ParameterType::Colour:
-    case ParameterType::OptionalColour: return {16, 16};
-    case ParameterType::Gaussians: return {16, 16 * kMaxGaussians + 4};  // the terms, then the count
+    case ParameterType::OptionalColour:
+      return {16, 16};
+    case ParameterType::Gaussians:
+      return {16, 16 * kMaxGaussians + 4};  // the terms, then the count
   }
   return {16, 16};
 }
@@ -251,13 +289,17 @@ struct Table {
 
   static std::string declaration(const ParameterRow& row) {
     switch (row.type) {
-      case ParameterType::Float: return "float " + row.glslName + ";";
+      case ParameterType::Float:
+        return "float " + row.glslName + ";";
       case ParameterType::Enum:
-      case ParameterType::Bool: return "int " + row.glslName + ";";
-      case ParameterType::Vec2: return "vec2 " + row.glslName + ";";
+      case ParameterType::Bool:
+        return "int " + row.glslName + ";";
+      case ParameterType::Vec2:
+        return "vec2 " + row.glslName + ";";
       case ParameterType::Gaussians:
         return "vec4 " + row.glslName + "[" + std::to_string(kMaxGaussians) + "];\n  int " + row.glslName + "_count;";
-      default: return "vec4 " + row.glslName + ";";
+      default:
+        return "vec4 " + row.glslName + ";";
     }
   }
 };
@@ -275,8 +317,8 @@ void put(std::vector<std::byte>& block, std::size_t offset, const T& value) {
 }  // namespace
 
 std::string_view toString(ParameterType type) {
-  static constexpr std::array<std::string_view, 8> kNames = {"float", "vec2", "vec3", "colour", "colour or null",
-                                                             "enum",  "bool", "table"};
+  static constexpr std::array<std::string_view, 8> kNames = {"float",          "vec2", "vec3", "colour",
+                                                             "colour or null", "enum", "bool", "table"};
   return kNames.at(static_cast<std::size_t>(type));
 }
 
@@ -304,14 +346,18 @@ ParameterValue clampToHardRange(const ParameterRow& row, const ParameterValue& v
     for (int i = 0; i < 3; ++i) limitRow(c.rgb[i]);
   };
   switch (row.type) {
-    case ParameterType::Float: limitRow(std::get<float>(result)); break;
+    case ParameterType::Float:
+      limitRow(std::get<float>(result));
+      break;
     case ParameterType::Vec2:
       for (int i = 0; i < 2; ++i) limitRow(std::get<glm::vec2>(result)[i]);
       break;
     case ParameterType::Vec3:
       for (int i = 0; i < 3; ++i) limitRow(std::get<glm::vec3>(result)[i]);
       break;
-    case ParameterType::Colour: limitColour(std::get<Colour>(result)); break;
+    case ParameterType::Colour:
+      limitColour(std::get<Colour>(result));
+      break;
     case ParameterType::OptionalColour:
       if (auto& colour = std::get<OptionalColour>(result)) limitColour(*colour);
       break;
@@ -323,7 +369,8 @@ ParameterValue clampToHardRange(const ParameterRow& row, const ParameterValue& v
       }
       break;
     case ParameterType::Enum:
-    case ParameterType::Bool: break;
+    case ParameterType::Bool:
+      break;
   }
   if (clamped != nullptr) *clamped = !(result == value);
   return result;
@@ -343,17 +390,29 @@ std::vector<std::byte> packMaterialBlock(const MaterialParameters& parameters) {
     const ParameterValue value = row.get(parameters);
     const std::size_t at = row.std140Offset;
     switch (row.type) {
-      case ParameterType::Float: put(block, at, std::get<float>(value)); break;
-      case ParameterType::Vec2: put(block, at, std::get<glm::vec2>(value)); break;
-      case ParameterType::Vec3: put(block, at, glm::vec4(std::get<glm::vec3>(value), 1.0F)); break;
-      case ParameterType::Colour: put(block, at, glm::vec4(std::get<Colour>(value).rgb, 1.0F)); break;
+      case ParameterType::Float:
+        put(block, at, std::get<float>(value));
+        break;
+      case ParameterType::Vec2:
+        put(block, at, std::get<glm::vec2>(value));
+        break;
+      case ParameterType::Vec3:
+        put(block, at, glm::vec4(std::get<glm::vec3>(value), 1.0F));
+        break;
+      case ParameterType::Colour:
+        put(block, at, glm::vec4(std::get<Colour>(value).rgb, 1.0F));
+        break;
       case ParameterType::OptionalColour: {
         const auto& colour = std::get<OptionalColour>(value);
         put(block, at, colour ? glm::vec4(colour->rgb, 1.0F) : glm::vec4(0.0F));
         break;
       }
-      case ParameterType::Enum: put(block, at, std::get<EnumValue>(value).index); break;
-      case ParameterType::Bool: put(block, at, std::get<bool>(value) ? 1 : 0); break;
+      case ParameterType::Enum:
+        put(block, at, std::get<EnumValue>(value).index);
+        break;
+      case ParameterType::Bool:
+        put(block, at, std::get<bool>(value) ? 1 : 0);
+        break;
       case ParameterType::Gaussians: {
         const auto& gaussians = std::get<GaussianTable>(value);
         for (std::size_t i = 0; i < kMaxGaussians; ++i)
