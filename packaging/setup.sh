@@ -106,7 +106,7 @@ dermis_build_output() {
   while IFS= read -r line; do
     case $line in
       'ninja: no work to do.' | 'ninja: Entering directory'* | '['*'] Re-checking globbed directories'*) continue ;;
-      '-- '*) continue ;;
+      '-- '* | '' | 'Preset CMake variables:' | '  '[A-Z]*'="'*) continue ;;
     esac
     if [[ -t 2 && $line == '['[0-9]* ]]; then
       printf '\r\033[K%.*s' "${COLUMNS:-80}" "$line" >&2
