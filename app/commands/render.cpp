@@ -113,7 +113,7 @@ Examples:
   dermis render -o look.png
   dermis render face.dermis --size 1920x1080 --samples 256 -o face.png
   dermis render --model head.glb --environment studio.hdr --camera three-quarter -o head.png
-  dermis render --model head.glb --material builtin:skin-tone-3 --set specular.perceptual_roughness=0.35 -o skin.png
+  dermis render --model head.glb --material builtin:skin_tone_iii --set specular.perceptual_roughness=0.35 -o skin.png
   dermis render face.dermis --set face/subsurface.radius_mm=4,1.5,0.7 --view raw --aov normal -o face.exr
 
 Without SCENE and MODEL the embedded look is drawn. PNG, JPEG and TIFF go through the view; EXR with
