@@ -28,8 +28,9 @@ int xmlDepth(std::string_view text) {
   return deepest;
 }
 
-/// FBX as text, X files and the like: braces.
+/// FBX as text, X files and the like: braces. Binary files have no such depth.
 int braceDepth(std::string_view text) {
+  if (text.substr(0, 1024).find('\0') != std::string_view::npos) return 0;
   int depth = 0, deepest = 0;
   for (const char c : text) {
     if (c == '{') deepest = std::max(deepest, ++depth);
@@ -44,10 +45,11 @@ Result<void> checkModelBytes(std::string_view bytes, const std::filesystem::path
   const std::string name = path.filename().string();
   const std::string format = lowerCase(path.extension().string());
   if (bytes.empty()) return inputError(fmt::format("{}: the model file is empty; export it again", name));
-  const bool text = bytes.substr(0, 1024).find('\0') == std::string_view::npos;
-  const int depth = format == ".dae" || format == ".x3d" || format == ".xml" || format == ".amf" ? xmlDepth(bytes)
-                    : text                                                                       ? braceDepth(bytes)
-                                                                                                 : 0;
+  int depth = 0;
+  if (format == ".dae" || format == ".x3d" || format == ".xml" || format == ".amf")
+    depth = xmlDepth(bytes);
+  else if (format == ".fbx" || format == ".x" || format == ".ase" || format == ".ogex" || format == ".wrl")
+    depth = braceDepth(bytes);
   if (depth > kDeepestNesting)
     return inputError(fmt::format("{}: its elements lie {} levels deep in each other, past the limit of {}", name,
                                   depth, kDeepestNesting));
