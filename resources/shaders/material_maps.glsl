@@ -79,9 +79,6 @@ vec3 reorientedNormal(vec3 base, vec3 detail) {
   return normalize(t * dot(t, u) - u * t.z);
 }
 
-// The vertex normal of the side that is seen.
-vec3 facingNormal(Surface s) { return s.front_facing ? s.normal : -s.normal; }
-
 // From the tangent frame (MikkTSpace's: neither interpolated vector is orthogonal exactly) to the world.
 vec3 worldNormal(Surface s, vec3 n) {
   vec3 tangent = s.tangent.xyz - s.normal * dot(s.normal, s.tangent.xyz);
@@ -90,7 +87,7 @@ vec3 worldNormal(Surface s, vec3 n) {
   tangent *= inversesqrt(length2);
   vec3 bitangent = s.tangent.w * cross(s.normal, tangent);
   vec3 world = normalize(tangent * n.x + bitangent * n.y + s.normal * n.z);
-  return s.front_facing ? world : -world;
+  return seenFromBehind(s) ? -world : world;
 }
 
 // The normal that is lit: the vertex normal bent by the normal map.

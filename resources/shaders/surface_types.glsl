@@ -21,4 +21,11 @@ struct Shading {
   vec3 shading_normal;
 };
 
+// Whether the inside of the surface is looked at. At the silhouette of a closed mesh a pixel may fall on a triangle that just turns
+// away while its interpolated normal doesn't; turning that normal round would light the rim from behind, so it is left alone.
+bool seenFromBehind(Surface s) { return !s.front_facing && dot(s.normal, s.view) < -0.05; }
+
+// The vertex normal of the side that is seen.
+vec3 facingNormal(Surface s) { return seenFromBehind(s) ? -s.normal : s.normal; }
+
 #endif

@@ -14,7 +14,7 @@ Shading shade(Surface s) {
   layer.metallic = 0.0;
   layer.first = Lobe(kTearFilmPerceptualRoughness, 1.0);
 
-  vec3 normal = s.front_facing ? s.normal : -s.normal;
+  vec3 normal = facingNormal(s);
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position);
   LayerLight image = layerImage(layer, p, normal, 1.0);

@@ -24,7 +24,7 @@ float labCookTorrance(float n_dot_v, float n_dot_l, float n_dot_h, float v_dot_h
 }
 
 Shading shade(Surface s) {
-  vec3 n = s.front_facing ? s.normal : -s.normal;
+  vec3 n = facingNormal(s);
   vec3 v = s.view;
   vec3 l = reflect(-v, n);
   vec3 h = normalize(l + v);

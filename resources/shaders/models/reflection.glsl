@@ -6,7 +6,7 @@
 #include "surface_types.glsl"
 
 Shading shade(Surface s) {
-  vec3 normal = s.front_facing ? s.normal : -s.normal;
+  vec3 normal = facingNormal(s);
   vec3 mirrored = environmentSharp(reflect(-s.view, normal));
 
   Shading result;
