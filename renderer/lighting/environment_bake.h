@@ -55,7 +55,7 @@ struct BakedEnvironment {
 using BakeProgress = std::atomic<float>;
 
 /// Changes whenever the same image would give other texels; part of the cache's key.
-inline constexpr std::uint32_t kEnvironmentBakeVersion = 1;
+inline constexpr std::uint32_t kEnvironmentBakeVersion = 2;
 
 /// Reads the cache or bakes (and writes the cache). Errors: Cancelled.
 [[nodiscard]] Result<std::shared_ptr<const BakedEnvironment>> bakeEnvironment(const EnvironmentImages& images,

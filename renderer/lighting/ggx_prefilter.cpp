@@ -29,9 +29,11 @@ namespace {
 constexpr int kLeaf = 4;                  // texels a side of the smallest tile: 16 positions, like the Chebyshev points
 constexpr int kRoot = 32;                 // texels a side of the largest
 constexpr float kOpening = 0.5F;          // largest cell in units of its distance
-constexpr float kHeavyOpening = 0.2F;     // the same for lamps:
+constexpr float kNarrowOpening = 0.7F;    // the same for lobes narrower than alpha 0.03, whose tails hold little
+constexpr float kHeavyOpening = 0.2F;     // the same for lamps,
 constexpr float kHeavyShare = 3.0e-4F;    // cells with more than this share of all light
 constexpr float kLargest = 0.1F;          // rad, of a cell anywhere
+constexpr float kNarrowLargest = 0.25F;   // the same for the narrow lobes
 constexpr float kHorizonShare = 1.0e-4F;  // of all light, times an angle: most that may cross a horizon in one piece
 constexpr float kSeparation = 3.0F;       // least distance of an interpolated cell in half diagonals of the tile
 constexpr int kMaxKernels = 8;
@@ -53,6 +55,25 @@ struct alignas(32) Positions {
 struct alignas(32) Field {
   std::array<std::array<float, kPositions>, std::size_t{4} * kMaxKernels> sums;
 };
+
+/// Reciprocals of up to three numbers by one division.
+template <int K>
+__attribute__((always_inline)) inline void invert(const Lanes* t, Lanes* inverse) {
+  if constexpr (K == 1) {
+    inverse[0] = 1.0F / t[0];
+  } else if constexpr (K == 2) {
+    const Lanes all = 1.0F / (t[0] * t[1]);
+    inverse[0] = all * t[1];
+    inverse[1] = all * t[0];
+  } else {
+    const Lanes pair = t[0] * t[1];
+    const Lanes all = 1.0F / (pair * t[2]);
+    const Lanes rest = all * t[2];
+    inverse[0] = rest * t[1];
+    inverse[1] = rest * t[0];
+    inverse[2] = all * pair;
+  }
+}
 
 /// Adds what the sources send to eight positions through K lobes.
 template <int K>
@@ -76,12 +97,14 @@ __attribute__((always_inline)) inline void accumulateLanes(const RadianceSource*
     const Lanes s = dx * dx + dy * dy + dz * dz;
     const Lanes cosine = 1.0F - 2.0F * s;
     const Lanes clamped = cosine > 0.0F ? cosine : zero;
+    Lanes t[K];
+    Lanes inverse[K];
+    for (int k = 0; k < K; ++k) t[k] = kernels[k].alpha2 + kernels[k].oneMinusAlpha2 * s;
+    invert<K>(t, inverse);
     for (int k = 0; k < K; ++k) {
-      const Lanes t = kernels[k].alpha2 + kernels[k].oneMinusAlpha2 * s;
-      const Lanes inverse = 1.0F / t;
-      const Lanes inverse2 = inverse * inverse;
+      const Lanes inverse2 = inverse[k] * inverse[k];
       // The cell's spread: ½σ²∇²(t⁻²) = σ² b (2bs − alpha²) t⁻⁴ with b = 1 − alpha².
-      const Lanes curvature = (2.0F * t - 3.0F * kernels[k].alpha2) * inverse2;
+      const Lanes curvature = (2.0F * t[k] - 3.0F * kernels[k].alpha2) * inverse2;
       const Lanes spread = 1.0F + (source.variance * kernels[k].oneMinusAlpha2) * curvature;
       const Lanes weight = clamped * inverse2 * spread;
       sum[4 * k] += weight * source.red;
@@ -202,6 +225,9 @@ class Prefilter {
     for (const RadianceSource& face : tree.level(0)) total += face.red + face.green + face.blue;
     m_horizonLight = kHorizonShare * total;
     m_heavyLight = kHeavyShare * total;
+    const bool narrow = m_narrowest < 0.03F;
+    m_opening = narrow ? kNarrowOpening : kOpening;
+    m_largest = narrow ? kNarrowLargest : kLargest;
   }
 
   /// Fills the texels of one root tile.
@@ -289,8 +315,9 @@ class Prefilter {
       // piece.
       const float light = cell.red + cell.green + cell.blue;
       const bool crosses = std::abs(cosine) < radius + 1.5F * cellSize;
-      const float opening = light > m_heavyLight ? kHeavyOpening : kOpening;
-      const bool small = cellSize < kLargest && cellSize * cellSize < opening * opening * (nearest * nearest + lobe2) &&
+      const float opening = light > m_heavyLight ? kHeavyOpening : m_opening;
+      const bool small = cellSize < m_largest &&
+                         cellSize * cellSize < opening * opening * (nearest * nearest + lobe2) &&
                          !(crosses && light * cellSize > m_horizonLight);
       if (leaf) {
         if (small)
@@ -341,7 +368,7 @@ class Prefilter {
   int m_faceSize;
   std::vector<Kernel> m_kernels;
   float m_narrowest;
-  float m_horizonLight = 0.0F, m_heavyLight = 0.0F;
+  float m_horizonLight = 0.0F, m_heavyLight = 0.0F, m_opening = kOpening, m_largest = kLargest;
   Interpolation m_interpolation;
 };
 
