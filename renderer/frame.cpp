@@ -101,7 +101,9 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     clear(frame);
     {
       const auto timed = m_timer.pass("surface");
-      surfacePass(frame);
+      const bool deferred = request.moving && m_software && images == kBeautyOnly && deferringPays(frame) &&
+                            m_targets.prepareSurfaces().has_value();
+      (deferred ? surfacePassDeferred : surfacePass)(frame);
     }
     m_noVertices.bind();
     {

@@ -39,6 +39,7 @@ class GlRenderer final : public Renderer {
  public:
   GlRenderer(const RendererOptions& options, GlInfo info)
       : m_info(std::move(info)),
+        m_hasWindow(options.platform == RendererOptions().platform),
         m_debug(options.failOnGlError),
         m_resources(options, m_info.software),
         m_frame(m_shaders, m_messages, m_info.software) {}
@@ -116,12 +117,22 @@ class GlRenderer final : public Renderer {
   /// Compiles what the scene's materials need, one program a slice, before the first frame asks for it.
   void queuePrograms(bool withAovs = false) {
     if (m_resources.scene() == nullptr) return;
-    std::vector<gl::ProgramSources> wanted;
-    for (const ResolvedMaterial& slot : m_resources.scene()->slots) {
-      gl::ProgramSources sources = surfaceProgram(slot.material.model, withAovs);
-      if (!m_shaders.has(sources) && std::find(wanted.begin(), wanted.end(), sources) == wanted.end())
-        wanted.push_back(std::move(sources));
+    std::vector<gl::ProgramSources> need;
+    std::vector<gl::ProgramSources> moving;
+    const ResolvedScene& scene = *m_resources.scene();
+    for (std::size_t i = 0; i < scene.slots.size(); ++i) {
+      const std::optional<int> maps = m_info.software ? std::optional<int>(presentMaps(scene, i)) : std::nullopt;
+      const ShadingModel model = scene.slots[i].material.model;
+      need.push_back(surfaceProgram(model, withAovs, maps));
+      if (m_info.software && m_hasWindow && !withAovs) moving.push_back(deferredProgram(model, maps));
     }
+    // What a moving picture needs on software GL comes after what the still one does.
+    if (!moving.empty()) moving.push_back(geometryProgram());
+    need.insert(need.end(), moving.begin(), moving.end());
+    std::vector<gl::ProgramSources> wanted;
+    for (const gl::ProgramSources& sources : need)
+      if (!m_shaders.has(sources) && std::find(wanted.begin(), wanted.end(), sources) == wanted.end())
+        wanted.push_back(sources);
     if (wanted.empty()) return;
     auto step = [this, wanted, next = std::size_t{0}]() mutable -> Result<bool> {
       auto program = m_shaders.program(wanted[next++]);
@@ -132,6 +143,7 @@ class GlRenderer final : public Renderer {
   }
 
   GlInfo m_info;
+  bool m_hasWindow;
   gl::DebugOutput m_debug;
   MessageLog m_messages;
   gl::ShaderLibrary m_shaders;

@@ -84,6 +84,29 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
   return true;
 }
 
+Result<void> RenderTargets::prepareSurfaces() {
+  if (m_surfaces) return {};
+  m_surface = gl::Texture::create({.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "surface"});
+  m_tangent = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "tangent"});
+  m_surfaces = gl::Framebuffer::create("surfaces");
+  m_surfaces.attachColour(0, m_surface);
+  m_surfaces.attachColour(1, m_tangent);
+  m_surfaces.attachDepth(m_depth);
+  m_surfaces.drawTo(2);
+  m_beautyAlone = gl::Framebuffer::create("beauty without depth");
+  m_beautyAlone.attachColour(0, image(SceneImage::Beauty));
+  m_beautyAlone.drawTo(1);
+  if (auto complete = m_surfaces.check(); !complete) return complete;
+  return m_beautyAlone.check();
+}
+
+void RenderTargets::bindSurfaces() const {
+  constexpr GLuint kFirstUnit = 21;
+  m_surface.bind(kFirstUnit);
+  m_tangent.bind(kFirstUnit + 1);
+  m_depth.bind(kFirstUnit + 2);
+}
+
 Result<void> RenderTargets::prepareSums() {
   for (std::size_t i = 0; i < kSceneImageCount; ++i) {
     if ((m_images & (1U << i)) == 0 || m_sums.at(i)) continue;

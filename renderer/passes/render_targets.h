@@ -28,12 +28,19 @@ class RenderTargets {
   /// Makes the sums, zeroed by the first sample written. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSums();
 
+  /// Makes what surfacePassDeferred draws into first. Errors: Runtime.
+  [[nodiscard]] Result<void> prepareSurfaces();
+
   [[nodiscard]] glm::ivec2 size() const { return m_size; }
   [[nodiscard]] SceneImages images() const { return m_images; }
   [[nodiscard]] bool precise() const { return m_precise; }
 
   [[nodiscard]] const gl::Framebuffer& scene() const { return m_scene; }
   [[nodiscard]] const gl::Framebuffer& multisampled() const { return m_multisampled; }
+  [[nodiscard]] const gl::Framebuffer& surfaces() const { return m_surfaces; }        ///< with the scene's depth
+  [[nodiscard]] const gl::Framebuffer& beautyAlone() const { return m_beautyAlone; }  ///< without it, to read it
+  /// Coordinates and normal, tangent, depth: on the units that surface.frag reads them from.
+  void bindSurfaces() const;
   [[nodiscard]] const gl::Texture& image(SceneImage image) const {
     return m_imagesOf.at(static_cast<std::size_t>(image));
   }
@@ -54,7 +61,8 @@ class RenderTargets {
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Framebuffer m_scene, m_multisampled;
+  gl::Texture m_surface, m_tangent;
+  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_beautyAlone;
 };
 
 }  // namespace dermis

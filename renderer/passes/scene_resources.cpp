@@ -128,12 +128,21 @@ void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
   statistics.residentTextures = m_textures.resident();
 }
 
+int presentMaps(const ResolvedScene& scene, std::size_t slot) {
+  int bits = 0;
+  for (std::size_t i = 0; i < kTextureSlotCount; ++i)
+    if (scene.model->hasUvs && scene.slots[slot].images.at(i)) bits |= 1 << i;
+  return bits;
+}
+
 void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages) {
   const ResolvedMaterial& source = m_scene->slots[index];
   SlotResources& slot = m_slots[index];
   slot.model = source.material.model;
   slot.kind = drawKindOf(source.material);
   slot.cullBackFaces = cullsBackFaces(source.material);
+  slot.hasCutOuts = source.material.model == ShadingModel::MetallicRoughness &&
+                    source.material.parameters.metallicRoughnessAlphaMode == AlphaMode::Mask;
 
   std::vector<std::byte> bytes = packMaterialBlock(source.material.parameters);
   if (bytes != slot.materialBytes) {
@@ -157,9 +166,11 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
     const bool decodesItself = slot.model == ShadingModel::Thesis && kind == TextureSlot::Albedo;
     if (decodesItself && source.images.at(i)->type != PixelType::U8) binding.colorSpace = "raw";
     textures.at(i) = m_textures.get(source.images.at(i), binding, kind, messages);
-    draw.mapBits.x |= 1 << i;
     if (binding.flipGreen) draw.mapBits.y |= 1 << i;
   }
+  draw.mapBits.x = presentMaps(*m_scene, index);
+  // Software GL runs both sides of a branch, so its programs leave out what fetches from absent maps.
+  slot.constantMaps = m_software ? std::optional<int>(draw.mapBits.x) : std::nullopt;
   draw.mapBits.z = hasUvs ? 1 : 0;
   draw.mapBits.w = profileIdOf(source.material, index);
   slot.textures = std::move(textures);

@@ -30,6 +30,8 @@ struct SlotResources {
   ShadingModel model = ShadingModel::Skin;
   DrawKind kind = DrawKind::Opaque;
   bool cullBackFaces = false;
+  bool hasCutOuts = false;          ///< discards where its alpha is low
+  std::optional<int> constantMaps;  ///< the present maps, where the program knows them at compile time
   std::vector<std::byte> materialBytes;
   gl::Buffer materialBlock;
   DrawBlock draw;
@@ -89,6 +91,9 @@ class SceneResources {
   std::uint64_t m_environmentRevision = 0, m_environmentsBaked = 0, m_environmentsFromCache = 0;
   Warnings m_environmentWarnings;
 };
+
+/// Bits, by TextureSlot, of the maps that a slot's material has and its model can place.
+[[nodiscard]] int presentMaps(const ResolvedScene& scene, std::size_t slot);
 
 /// Whether two scenes give the same picture of the surface and sky (their camera and view apart).
 [[nodiscard]] bool samePicture(const ResolvedScene& a, const ResolvedScene& b);

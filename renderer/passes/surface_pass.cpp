@@ -1,6 +1,7 @@
 #include "passes/surface_pass.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dermis {
 
@@ -10,7 +11,7 @@ void drawPart(const FrameContext& frame, std::size_t index) {
   const ModelPart& part = frame.scene.model->parts[index];
   const SlotResources& slot = frame.resources.slots()[part.slot];
   const bool withAovs = frame.targets.images() != kBeautyOnly && !frame.multisampled;
-  if (frame.useProgram(surfaceProgram(slot.model, withAovs)) == nullptr) return;
+  if (frame.useProgram(surfaceProgram(slot.model, withAovs, slot.constantMaps)) == nullptr) return;
   frame.resources.bindSlot(slot);
   if (slot.kind == DrawKind::Opaque || slot.cullBackFaces) {
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
@@ -27,12 +28,15 @@ void drawPart(const FrameContext& frame, std::size_t index) {
 
 }  // namespace
 
-gl::ProgramSources surfaceProgram(ShadingModel model, bool withAovs) {
+gl::ProgramSources surfaceProgram(ShadingModel model, bool withAovs, std::optional<int> constantMaps) {
   gl::ProgramSources sources;
   sources.vertex = "surface.vert";
   sources.fragment = "surface.frag";
   sources.defines = {"DERMIS_MODEL \"models/" + std::string(shadingModelRow(model).id) + ".glsl\""};
   if (withAovs) sources.defines.emplace_back("DERMIS_AOVS");
+  const bool readsMaps =
+      model != ShadingModel::Reflection && model != ShadingModel::MicrofacetLab && model != ShadingModel::Lens;
+  if (constantMaps && readsMaps) sources.defines.push_back("DERMIS_MAPS " + std::to_string(*constantMaps));
   return sources;
 }
 
@@ -47,6 +51,79 @@ void surfacePass(const FrameContext& frame) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (frame.resources.slots()[parts[i].slot].kind == DrawKind::Opaque) drawPart(frame, i);
   frame.resources.unbindSamplers();
+}
+
+gl::ProgramSources geometryProgram() {
+  gl::ProgramSources sources;
+  sources.vertex = "surface.vert";
+  sources.fragment = "geometry.frag";
+  return sources;
+}
+
+gl::ProgramSources deferredProgram(ShadingModel model, std::optional<int> constantMaps) {
+  gl::ProgramSources sources = surfaceProgram(model, false, constantMaps);
+  sources.vertex = "full_screen.vert";
+  sources.defines.emplace_back("DERMIS_DEFERRED");
+  return sources;
+}
+
+bool deferringPays(const FrameContext& frame) {
+  constexpr std::size_t kMostParts = 4;  // each costs a look at every pixel of the model's rectangle
+  constexpr std::size_t kLeastTriangles = 8000;
+  const Model& model = *frame.scene.model;
+  std::size_t opaque = 0;
+  for (const ModelPart& part : model.parts) {
+    const SlotResources& slot = frame.resources.slots()[part.slot];
+    if (slot.hasCutOuts) return false;
+    opaque += slot.kind == DrawKind::Opaque ? 1 : 0;
+  }
+  return opaque > 0 && opaque <= kMostParts && model.indices.size() / 3 >= kLeastTriangles;
+}
+
+void surfacePassDeferred(const FrameContext& frame) {
+  const auto& parts = frame.scene.model->parts;
+  const auto& slots = frame.resources.slots();
+  const gl::Program* geometry = frame.useProgram(geometryProgram());
+  if (geometry == nullptr) return;
+
+  // What is where. Zero in the tangent's image says that nothing is.
+  const std::array<GLfloat, 4> nothing = {0.0F, 0.0F, 0.0F, 0.0F};
+  glClearNamedFramebufferfv(frame.targets.surfaces().id(), GL_COLOR, 1, nothing.data());
+  frame.targets.surfaces().bind();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glCullFace(GL_BACK);
+  frame.resources.geometry().bind();
+  for (const ModelPart& part : parts) {
+    if (slots[part.slot].kind != DrawKind::Opaque) continue;
+    (slots[part.slot].cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    glUniform1i(geometry->uniform("u_slot"), static_cast<GLint>(part.slot));
+    frame.resources.geometry().draw(part);
+  }
+
+  // Each pixel's light, once.
+  const PixelArea area = screenArea(frame.camera, frame.scene.model->bounds, frame.request.size);
+  const glm::ivec2 extent = area.upper - area.lower;
+  frame.targets.beautyAlone().bind();
+  frame.targets.bindSurfaces();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
+  for (const ModelPart& part : parts) {
+    const SlotResources& slot = slots[part.slot];
+    if (slot.kind != DrawKind::Opaque) continue;
+    const gl::Program* program = frame.useProgram(deferredProgram(slot.model, slot.constantMaps));
+    if (program == nullptr) continue;
+    glUniform1i(program->uniform("u_slot"), static_cast<GLint>(part.slot));
+    frame.resources.bindSlot(slot);
+    gl::drawFullScreen();
+  }
+  glDisable(GL_SCISSOR_TEST);
+  frame.resources.unbindSamplers();
+  frame.targets.scene().bind();
 }
 
 bool hasTransparentParts(const SceneResources& resources) {

@@ -5,11 +5,21 @@
 
 namespace dermis {
 
-/// The program of a shading model; `withAovs` writes all images that the targets keep.
-[[nodiscard]] gl::ProgramSources surfaceProgram(ShadingModel model, bool withAovs);
+/// The program of a shading model; `withAovs` writes all images that the targets keep. `constantMaps` are the bits of
+/// the maps that are there (material_maps.glsl); without them the program asks a uniform.
+[[nodiscard]] gl::ProgramSources surfaceProgram(ShadingModel model, bool withAovs,
+                                                std::optional<int> constantMaps = std::nullopt);
 
 /// Opaque parts, depth tested and written.
 void surfacePass(const FrameContext& frame);
+
+/// The same in two steps, for moving pictures on software GL: geometry first, then each pixel is shaded once. Maps are
+/// a touch blurred along silhouettes and seams, where neighbouring pixels are no neighbours on the surface.
+void surfacePassDeferred(const FrameContext& frame);
+/// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
+[[nodiscard]] bool deferringPays(const FrameContext& frame);
+[[nodiscard]] gl::ProgramSources geometryProgram();
+[[nodiscard]] gl::ProgramSources deferredProgram(ShadingModel model, std::optional<int> constantMaps);
 
 /// Lenses and blended materials, premultiplied over what is there, far ones first. A blended part shows its back faces,
 /// then its front ones; its own triangles are not sorted further.
