@@ -22,8 +22,8 @@ using ocio::sameName;
 // toe, where the sRGB curve is, and logarithmic up to where ACES has long reached white. Chosen by measuring
 // (tests/gpu/colour_test.cpp).
 constexpr int kLutEdge = 64;
-constexpr float kToe = 0.02F;
-constexpr float kPeak = 64.0F;
+constexpr float kToe = 0.01F;
+constexpr float kPeak = 32.0F;
 
 float shaped(float t) { return kToe * (std::exp2(t * std::log2(kPeak / kToe + 1.0F)) - 1.0F); }
 
