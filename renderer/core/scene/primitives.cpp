@@ -47,7 +47,7 @@ Model makeSphere(int segments) {
   const int columns = std::max(segments, 8);
   const int rows = columns / 2;
   const double pi = std::numbers::pi;
-  const auto vertexCount = static_cast<std::size_t>((columns + 1) * (rows + 1));
+  const auto vertexCount = static_cast<std::size_t>(columns + 1) * static_cast<std::size_t>(rows + 1);
   model.positions.reserve(vertexCount);
   model.normals.reserve(vertexCount);
   model.tangents.reserve(vertexCount);
