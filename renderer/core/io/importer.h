@@ -22,7 +22,7 @@ struct ImageInfo {
   int height = 0;
   int channels = 0;
   PixelType type = PixelType::U8;
-  std::string format;                           ///< "openexr", "png", …
+  std::string format;  ///< "openexr", "png", …
   std::vector<std::string> channelNames;
   std::map<std::string, std::string> metadata;  ///< as text, among it "dermis" (see writeImage)
 };

@@ -35,13 +35,13 @@ struct ParameterRow {
   std::string_view label;  ///< for people: "Roughness"
   std::string_view group;  ///< for people: "Specular"
   ParameterType type = ParameterType::Float;
-  std::string_view unit;  ///< "mm", "mm²", "×" or empty
+  std::string_view unit;                 ///< "mm", "mm²", "×" or empty
   float hardMin = 0.0F, hardMax = 1.0F;  ///< a value outside is clamped with a warning (each component)
   float softMin = 0.0F, softMax = 1.0F;  ///< sizes the slider only
   Invalidates invalidates = Invalidates::Uniforms;
   ShadingModelMask models = 0;
-  std::string_view sentence;  ///< what it means
-  std::string_view source;    ///< paper or system a default or range comes from
+  std::string_view sentence;                ///< what it means
+  std::string_view source;                  ///< paper or system a default or range comes from
   std::span<const std::string_view> words;  ///< an enum's words, in order
   std::optional<TextureSlot> map;  ///< the value multiplies this map (and counts as 1 where absent beside a map)
 
@@ -59,8 +59,10 @@ struct ParameterRow {
 [[nodiscard]] std::span<const ParameterRow> parameterTable();
 [[nodiscard]] const ParameterRow* findParameter(std::string_view id);
 
-/// The value brought into the hard range; `clamped` says whether anything changed. A non-finite number becomes the lowest.
-[[nodiscard]] ParameterValue clampToHardRange(const ParameterRow& row, const ParameterValue& value, bool* clamped = nullptr);
+/// The value brought into the hard range; `clamped` says whether anything changed. A non-finite number becomes the
+/// lowest.
+[[nodiscard]] ParameterValue clampToHardRange(const ParameterRow& row, const ParameterValue& value,
+                                              bool* clamped = nullptr);
 
 /// Writes the value with the coupling the table states: editing specular.ior sets specular.f0 to null.
 void setParameter(MaterialParameters& parameters, const ParameterRow& row, const ParameterValue& value);

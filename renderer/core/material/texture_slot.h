@@ -10,17 +10,28 @@
 namespace dermis {
 
 enum class TextureSlot {
-  Albedo, Normal, DetailNormal, DetailMask, Metallic, Roughness, Specular, Cavity, Occlusion, Displacement, Thickness,
-  Subsurface, Emissive
+  Albedo,
+  Normal,
+  DetailNormal,
+  DetailMask,
+  Metallic,
+  Roughness,
+  Specular,
+  Cavity,
+  Occlusion,
+  Displacement,
+  Thickness,
+  Subsurface,
+  Emissive
 };
 inline constexpr std::size_t kTextureSlotCount = 13;
 
 struct TextureSlotRow {
   TextureSlot slot;
-  std::string_view id;     ///< as in files: "detail_normal"
-  std::string_view label;  ///< for people
-  bool isColour;           ///< 8-bit files are sRGB unless the slot says otherwise; data maps are linear
-  bool isScalar;           ///< read through `channel`
+  std::string_view id;        ///< as in files: "detail_normal"
+  std::string_view label;     ///< for people
+  bool isColour;              ///< 8-bit files are sRGB unless the slot says otherwise; data maps are linear
+  bool isScalar;              ///< read through `channel`
   std::string_view suffixes;  ///< space-separated file name endings by which a folder is matched: "_albedo _col …"
 };
 
@@ -34,8 +45,9 @@ enum class TextureChannel { R, G, B, A, Luminance };
 
 /// One map of a material. Absent where `path` is empty.
 struct TextureBinding {
-  std::string path;                     ///< as written in the file; absolute once resolved, or `embedded:N`
-  std::optional<std::string> colorSpace;  ///< "srgb", "linear", "raw" or an OCIO name; unset: by the slot and pixel type
+  std::string path;  ///< as written in the file; absolute once resolved, or `embedded:N`
+  std::optional<std::string>
+      colorSpace;  ///< "srgb", "linear", "raw" or an OCIO name; unset: by the slot and pixel type
   TextureChannel channel = TextureChannel::R;
   bool invert = false;     ///< 1 − value
   bool flipGreen = false;  ///< for normal maps that are −Y (DirectX)

@@ -58,9 +58,9 @@ struct Model {
   std::vector<ModelSlot> slots;
   std::vector<EmbeddedImage> embedded;
   Bounds bounds;
-  float millimetresPerUnit = 1000.0F;   ///< from the file's unit, or guessed
-  std::string unitSource;               ///< how that was found, a phrase for people: "glTF: metres"
-  bool hasUvs = true;                   ///< false: uvs are zeros
+  float millimetresPerUnit = 1000.0F;  ///< from the file's unit, or guessed
+  std::string unitSource;              ///< how that was found, a phrase for people: "glTF: metres"
+  bool hasUvs = true;                  ///< false: uvs are zeros
   Warnings warnings;
 };
 

@@ -17,7 +17,7 @@ struct EnvironmentImages {
   std::shared_ptr<const Image> latLong;               ///< Float RGB(A), linear Rec.709, cleaned
   std::array<std::shared_ptr<const Image>, 6> faces;  ///< Float, +X −X +Y −Y +Z −Z; row 0 is t = 0
   glm::vec3 constant{0.0F};                           ///< where neither is set
-  std::uint64_t contentHash = 0;  ///< of the bytes; names the disk cache
+  std::uint64_t contentHash = 0;                      ///< of the bytes; names the disk cache
   std::string name;
 };
 
@@ -29,11 +29,11 @@ struct ResolvedMaterial {
 
 struct ResolvedScene {
   Scene scene;
-  std::shared_ptr<const Model> model;        ///< never null
-  float millimetresPerUnit = 1000.0F;        ///< the scene's, else the model's
-  std::vector<ResolvedMaterial> slots;       ///< parallel to model->slots
+  std::shared_ptr<const Model> model;                    ///< never null
+  float millimetresPerUnit = 1000.0F;                    ///< the scene's, else the model's
+  std::vector<ResolvedMaterial> slots;                   ///< parallel to model->slots
   std::shared_ptr<const EnvironmentImages> environment;  ///< never null
-  Camera camera;                             ///< the scene's, or one that frames the bounds
+  Camera camera;                                         ///< the scene's, or one that frames the bounds
 };
 
 }  // namespace dermis

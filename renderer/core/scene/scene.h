@@ -1,5 +1,5 @@
-// What is looked at: the whole look, as in a .dermis file. Plain values; nothing is loaded here. In memory paths of files
-// are absolute (scene_io makes them relative to the scene's folder when it writes).
+// What is looked at: the whole look, as in a .dermis file. Plain values; nothing is loaded here. In memory paths of
+// files are absolute (scene_io makes them relative to the scene's folder when it writes).
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace dermis {
 
-/// A file of a model made of several, placed by scale, then rotation (degrees about X, then Y, then Z), then translation.
+/// A file of a model made of several, placed by scale, then rotation (degrees about X, then Y, then Z), then
+/// translation.
 struct ModelFilePart {
   std::string path;
   glm::vec3 translate{0.0F};
@@ -74,9 +75,9 @@ struct LightAnimation {
 struct Light {
   std::string name;
   LightType type = LightType::Point;
-  glm::vec3 position{0.0F, 0.0F, 1.0F};   ///< scene units
+  glm::vec3 position{0.0F, 0.0F, 1.0F};    ///< scene units
   glm::vec3 direction{0.0F, 0.0F, -1.0F};  ///< the way the light travels
-  glm::vec3 color{1.0F};                  ///< linear Rec.709
+  glm::vec3 color{1.0F};                   ///< linear Rec.709
   float intensity = 1.0F;  ///< color · intensity is radiant intensity; irradiance for a directional light
   bool shadow = true;
   bool visible = false;  ///< drawn as a sphere in scene radiance
