@@ -95,7 +95,9 @@ void CameraPanel::buildDisplay() {
         this, [this, sentence] { Q_EMIT problem(sentence); }, Qt::QueuedConnection);
   }
   group->addRow(labelled(tr("View transform"), m_transform, group));
-  if (m_display->count() > 1) group->addRow(labelled(tr("Display"), m_display, group));
+  QWidget* displayRow = labelled(tr("Display"), m_display, group);
+  displayRow->setVisible(m_display->count() > 1);
+  group->addRow(displayRow);
   m_exposure = new PropertyRow(tr("Display"), tr("Exposure"), QStringLiteral("view.exposure_stops"),
                                new ScalarEditor(NumberRange{-20, 20, -6, 6, tr("EV")}), group);
   m_exposure->setDefault(ParameterValue(0.0F));

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "ui/document/document.h"
 #include "ui/rows/choice_editors.h"
@@ -46,6 +47,13 @@ const char* typeIcon(LightType type) {
 QString nameOf(const Light& light, std::size_t index) {
   return light.name.empty() ? LightsPanel::tr("%1 %2").arg(typeLabel(light.type)).arg(index + 1)
                             : QString::fromStdString(light.name);
+}
+
+/// Three significant digits: a number that a person can read and type again.
+float tidy(float number) {
+  if (number == 0.0F) return number;
+  const float step = std::pow(10.0F, std::floor(std::log10(std::abs(number))) - 2.0F);
+  return std::round(number / step) * step;
 }
 
 float floatOf(const ParameterValue& value) { return std::get<float>(value); }
@@ -204,7 +212,13 @@ void LightsPanel::addLight(LightType type) {
     light.position = bounds.centre() + distance * away;
     light.direction = -away;
     light.intensity = type == LightType::Directional ? 2.0F : 2.0F * distance * distance;
+    for (int i = 0; i < 3; ++i) {
+      light.position[i] = tidy(light.position[i]);
+      light.direction[i] = tidy(light.direction[i]);
+    }
+    light.intensity = tidy(light.intensity);
     light.radiusMm = 0.05F * bounds.radius() * m_document.millimetresPerUnit();
+    light.radiusMm = tidy(light.radiusMm);
   }
   m_document.addLight(light);
   m_list->setCurrentRow(m_list->count() - 1);
