@@ -30,6 +30,7 @@ dermis_scratch_home() {
 dermis_start_xvfb() {
   local number='' tries
   [[ -n $dermis_xvfb ]] && return 0
+  : >"$dermis_scratch/display"
   Xvfb -displayfd 3 -screen 0 1600x1000x24 +extension GLX -nolisten tcp 3>"$dermis_scratch/display" >"$dermis_scratch/xvfb.log" 2>&1 &
   dermis_xvfb=$!
   for ((tries = 0; tries < 100; ++tries)); do
