@@ -64,7 +64,7 @@ std::string nameOf(const ProgramSources& sources) {
 
 }  // namespace
 
-std::string nameFilesInLog(std::string_view log, const std::vector<std::string>& files) {
+std::string nameFilesInLog(std::string_view log, const ShaderLibrary::Expanded& source) {
   // Mesa: "0:12(5): error: …"; NVIDIA: "0(12) : error C1008: …"; others: "ERROR: 0:12: …".
   static const std::regex kMesa(R"(^(?:ERROR: |WARNING: )?(\d+):(\d+)(?:\(\d+\))?:\s*)");
   static const std::regex kNvidia(R"(^(\d+)\((\d+)\)\s*:\s*)");
@@ -73,10 +73,11 @@ std::string nameFilesInLog(std::string_view log, const std::vector<std::string>&
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if ((std::regex_search(line, match, kMesa) || std::regex_search(line, match, kNvidia)) && match[1].length() < 6) {
-      const std::size_t file = static_cast<std::size_t>(std::stoul(match[1].str()));
-      if (file < files.size()) {
+      const std::size_t number = match[2].length() < 9 ? std::stoul(match[2].str()) : 0;
+      if (number >= 1 && number <= source.lines.size() && source.lines[number - 1].line > 0) {
+        const ShaderLibrary::Origin& origin = source.lines[number - 1];
         const std::string rest = match.suffix().str();
-        line = files[file] + ":" + match[2].str() + ": " + rest;
+        line = source.files[origin.file] + ":" + std::to_string(origin.line) + ": " + rest;
       }
     }
     result += line + '\n';
@@ -112,10 +113,14 @@ std::string ShaderLibrary::read(const std::string& path, const ProgramSources& s
 
 Result<ShaderLibrary::Expanded> ShaderLibrary::expand(const std::string& path, const ProgramSources& sources) const {
   Expanded out;
-  out.text = "#version 450 core\n";
+  const auto add = [&out](const std::string& line, Origin origin) {
+    out.text += line + '\n';
+    out.lines.push_back(origin);
+  };
+  add("#version 450 core", {});
   for (const std::string& define : sources.defines) {
     // A quoted value names a file to include; it is for us, the compiler would choke on the quotes.
-    if (define.find('"') == std::string::npos) out.text += "#define " + define + "\n";
+    if (define.find('"') == std::string::npos) add("#define " + define, {});
   }
   static const std::regex kInclude(R"(^\s*#\s*include\s+(?:"([^"]+)\"|(\w+))\s*(?://.*)?$)");
   const std::function<Result<void>(const std::string&, const std::string&)> append =
@@ -126,7 +131,6 @@ Result<ShaderLibrary::Expanded> ShaderLibrary::expand(const std::string& path, c
     if (!found) return runtimeError(from + ": no shader file \"" + file + "\".");
     const std::size_t number = out.files.size();
     out.files.push_back(file);
-    out.text += "#line 1 " + std::to_string(number) + "\n";
     std::istringstream lines(text);
     int lineNumber = 0;
     for (std::string line; std::getline(lines, line);) {
@@ -143,10 +147,9 @@ Result<ShaderLibrary::Expanded> ShaderLibrary::expand(const std::string& path, c
         const std::string place = file + ":" + std::to_string(lineNumber);
         if (target.empty()) return runtimeError(place + ": #include " + match[2].str() + " names no file.");
         if (auto done = append(target, place); !done) return done;
-        out.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
         continue;
       }
-      out.text += line + '\n';
+      add(line, {number, lineNumber});
     }
     return {};
   };
@@ -182,7 +185,7 @@ Result<void> ShaderLibrary::build(Program& program) {
     glCompileShader(shader);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    const std::string log = ok != 0 ? std::string() : nameFilesInLog(stageLog(shader), expanded->files);
+    const std::string log = ok != 0 ? std::string() : nameFilesInLog(stageLog(shader), *expanded);
     if (ok != 0) glAttachShader(linked.id(), shader);
     glDeleteShader(shader);  // lives on with the program it is attached to
     if (ok == 0) return runtimeError(firstError(log));

@@ -68,11 +68,17 @@ class ShaderLibrary {
   /// Programs compiled since the start, failed ones included.
   [[nodiscard]] std::uint64_t compileCount() const { return m_compileCount; }
 
-  /// One stage's whole text, and the names of the files by their #line number: what the compiler gets. For tests and
-  /// messages.
+  /// Where a line of the text given to the compiler comes from.
+  struct Origin {
+    std::size_t file = 0;  ///< index in Expanded::files
+    int line = 0;          ///< 0: a line of ours
+  };
+  /// One stage's whole text, what the compiler gets, and where each line of it comes from. There are no #line
+  /// directives: Mesa's compiler reports the file number of an expression in an included file wrongly.
   struct Expanded {
     std::string text;
     std::vector<std::string> files;
+    std::vector<Origin> lines;  ///< of line i + 1
   };
   [[nodiscard]] Result<Expanded> expand(const std::string& path, const ProgramSources& sources) const;
 
@@ -86,8 +92,8 @@ class ShaderLibrary {
   std::uint64_t m_compileCount = 0;
 };
 
-/// Rewrites a compiler's "0:12(5): error: …" and "0(12) : error …" to "surface.frag:12: error: …". For tests and the
+/// Rewrites a compiler's "0:12(5): error: …" and "0(12) : error …" to "surface.frag:7: error: …". For tests and the
 /// library.
-[[nodiscard]] std::string nameFilesInLog(std::string_view log, const std::vector<std::string>& files);
+[[nodiscard]] std::string nameFilesInLog(std::string_view log, const ShaderLibrary::Expanded& source);
 
 }  // namespace dermis::gl

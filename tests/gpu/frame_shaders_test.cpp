@@ -115,11 +115,14 @@ TEST_F(FrameShaders, AMissingIncludeNamesItsPlace) {
 }
 
 TEST(FrameShaderLog, BothWaysOfWritingAPlaceAreUnderstood) {
-  const std::vector<std::string> files = {"a.frag", "b.glsl"};
-  EXPECT_EQ(gl::nameFilesInLog("1:12(5): error: no\n", files), "b.glsl:12: error: no\n");
-  EXPECT_EQ(gl::nameFilesInLog("0(7) : error C1008: no\n", files), "a.frag:7: error C1008: no\n");
-  EXPECT_EQ(gl::nameFilesInLog("ERROR: 1:3: no\n", files), "b.glsl:3: no\n");
-  EXPECT_EQ(gl::nameFilesInLog("9:3(1): error: no\n", files), "9:3(1): error: no\n");
+  gl::ShaderLibrary::Expanded source;
+  source.files = {"a.frag", "b.glsl"};
+  source.lines = {{0, 0}, {0, 1}, {1, 1}, {1, 2}, {0, 3}};
+  EXPECT_EQ(gl::nameFilesInLog("0:4(5): error: no\n", source), "b.glsl:2: error: no\n");
+  EXPECT_EQ(gl::nameFilesInLog("0(5) : error C1008: no\n", source), "a.frag:3: error C1008: no\n");
+  EXPECT_EQ(gl::nameFilesInLog("ERROR: 0:3: no\n", source), "b.glsl:1: no\n");
+  EXPECT_EQ(gl::nameFilesInLog("0:1(1): error: no\n", source), "0:1(1): error: no\n") << "a line of ours";
+  EXPECT_EQ(gl::nameFilesInLog("0:9(1): error: no\n", source), "0:9(1): error: no\n");
 }
 
 }  // namespace
