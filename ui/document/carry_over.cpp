@@ -3,6 +3,23 @@
 #include <algorithm>
 
 namespace dermis {
+namespace {
+
+/// Maps that travelled inside the earlier model's file stay with it: the new file's own take their place.
+void replaceEmbedded(SlotLook& look, const ResolvedMaterial& imported) {
+  bool replaced = false;
+  for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
+    if (!look.worn.material.textures.at(i).path.starts_with("embedded:")) continue;
+    look.worn.material.textures.at(i) = imported.material.textures.at(i);
+    look.worn.images.at(i) = imported.images.at(i);
+    replaced = true;
+  }
+  if (!replaced) return;
+  const std::string preset = look.binding ? look.binding->presetPath : std::string();
+  look.binding = MaterialBinding{look.worn.material, preset, !preset.empty()};
+}
+
+}  // namespace
 
 WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::shared_ptr<const Model> model,
                     std::vector<ResolvedMaterial> imported) {
@@ -19,8 +36,10 @@ WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::sha
     SlotLook look;
     if (kept != nullptr) {
       look = *kept;
+      replaceEmbedded(look, imported[i]);
     } else if (const auto shelved = before.shelved.find(name); shelved != before.shelved.end()) {
       look = shelved->second;
+      replaceEmbedded(look, imported[i]);
     } else {
       look.worn = std::move(imported[i]);
       look.binding = MaterialBinding{look.worn.material, {}, false};
