@@ -9,6 +9,7 @@
 #include "passes/accumulate_pass.h"
 #include "passes/read_back.h"
 #include "passes/sky_pass.h"
+#include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
 
 namespace dermis {
@@ -36,6 +37,21 @@ bool canShow(GLuint framebuffer) {
   return glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
+/// Images that are not radiance.
+bool isData(Aov aov) {
+  switch (aov) {
+    case Aov::Normal:
+    case Aov::Thickness:
+    case Aov::Occlusion:
+    case Aov::Depth:
+    case Aov::ProfileId:
+    case Aov::Energy:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::vector<glm::vec3> visibleLampPositions(const ResolvedScene& scene, double seconds) {
   std::vector<glm::vec3> positions;
   for (const Light& light : scene.scene.lights)
@@ -51,7 +67,8 @@ Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software)
       m_messages(messages),
       m_software(software),
       m_noVertices(gl::VertexArray::create("no vertices")),
-      m_frameBlockBuffer(gl::Buffer::writable("frame block", sizeof(FrameBlock))) {}
+      m_frameBlockBuffer(gl::Buffer::writable("frame block", sizeof(FrameBlock))),
+      m_sampleBlockBuffer(gl::Buffer::writable("sample block", sizeof(SampleBlock))) {}
 
 bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
                  RenderStatistics& statistics) {
@@ -60,8 +77,9 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
 
   // Which images: the picture, what is kept of it, what is looked at. A moving picture on a GPU has four samples a
   // pixel.
-  const SceneImages images =
+  const SceneImages wanted =
       request.moving ? kBeautyOnly | bitOf(sceneImageOf(request.aov)) : m_kept | bitOf(sceneImageOf(request.aov));
+  const SceneImages images = wanted != kBeautyOnly || isSplit(*scene) ? wanted | kSplit : wanted;
   const bool multisampled = request.moving && !m_software && images == kBeautyOnly;
   auto prepared = m_targets.prepare(request.size, images, request.exactDisplay, multisampled);
   if (!prepared) {
@@ -72,7 +90,12 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
 
   // A still picture converges as long as nothing that it shows changes.
   const bool animates = std::any_of(scene->scene.lights.begin(), scene->scene.lights.end(), isAnimated);
-  const StillKey key{request.size, request.camera, images, request.exactDisplay, animates ? request.seconds : 0.0,
+  const StillKey key{request.size,
+                     request.camera,
+                     wanted,
+                     request.exactDisplay,
+                     animates ? request.seconds : 0.0,
+                     request.withoutSubsurface,
                      revision};
   if (request.moving || !(key == m_stillKey)) m_samples = 0;
   m_stillKey = key;
@@ -101,11 +124,16 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     clear(frame);
     {
       const auto timed = m_timer.pass("surface");
-      const bool deferred = request.moving && m_software && images == kBeautyOnly && deferringPays(frame) &&
+      const bool deferred = request.moving && m_software && wanted == kBeautyOnly && deferringPays(frame) &&
                             m_targets.prepareSurfaces().has_value();
       (deferred ? surfacePassDeferred : surfacePass)(frame);
     }
     m_noVertices.bind();
+    if (m_targets.split()) {
+      const auto timed = m_timer.pass("subsurface");
+      subsurfacePass(frame);
+    }
+    m_targets.scene().bind();
     {
       const auto timed = m_timer.pass("sky");
       m_targets.drawToBeauty();
@@ -114,7 +142,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     }
     if (hasTransparentParts(resources)) {
       const auto timed = m_timer.pass("transparent");
-      m_targets.drawToRadiance();
+      (multisampled ? m_targets.multisampled() : m_targets.radiances()).bind();
       transparentPass(frame);
       m_noVertices.bind();
     }
@@ -132,7 +160,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
 
   if (!request.moving && drawsSample) {
     const auto timed = m_timer.pass("accumulate");
-    if (auto sums = m_targets.prepareSums(); !sums) {
+    if (auto sums = m_targets.prepareSums(wanted); !sums) {
       m_messages.say(sums.error().message);
       return false;
     }
@@ -175,6 +203,10 @@ void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statis
     ++statistics.uniformBlocksUploaded;
   }
   m_frameBlockBuffer.bindUniform(kFrameBinding);
+  const FrameRequest& request = frame.request;
+  const SampleBlock sample = packSample(request.moving ? 0 : m_samples, request.moving, request.withoutSubsurface);
+  m_sampleBlockBuffer.update(0, bytesOf(sample));
+  m_sampleBlockBuffer.bindUniform(kSampleBinding);
 }
 
 void Frame::clear(const FrameContext& frame) const {
@@ -189,32 +221,37 @@ void Frame::clear(const FrameContext& frame) const {
   glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
   glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, &background[0]);
   if (frame.multisampled) return;
-  for (std::size_t i = 1; i < kSceneImageCount; ++i)
+  for (std::size_t i = 1; i < kSurfaceImageCount; ++i)
     if ((m_targets.images() & (1U << i)) != 0)
       glClearNamedFramebufferfv(target.id(), GL_COLOR, static_cast<GLint>(i), zero.data());
+  // The subsurface pass writes only where the model is.
+  for (const SceneImage image : {SceneImage::Diffuse, SceneImage::Scattered})
+    if (m_targets.has(image)) glClearTexImage(m_targets.image(image).id(), 0, GL_RGBA, GL_FLOAT, zero.data());
 }
 
 void Frame::show(const FrameContext& frame, bool fromSums) {
   const FrameRequest& request = frame.request;
   const SceneImage which = sceneImageOf(request.aov);
   const gl::Texture& image = fromSums ? m_targets.sum(which) : m_targets.image(which);
+  const float weight = fromSums ? 1.0F / static_cast<float>(std::max(m_samples, 1)) : 1.0F;
   const glm::ivec2 size = request.displaySize.x > 0 && request.displaySize.y > 0 ? request.displaySize : request.size;
   glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);
 
-  if (which == SceneImage::Normal || which == SceneImage::Data || which == SceneImage::ProfileId) {
+  if (isData(request.aov)) {
     const Bounds& bounds = frame.scene.model->bounds;
     const float middle = glm::dot(bounds.centre() - frame.camera.position, frame.camera.forward);
-    DisplayPass::drawData(frame, request.aov, image, {middle - bounds.radius(), middle + bounds.radius()}, size);
+    DisplayPass::drawData(frame, request.aov, image, weight, {middle - bounds.radius(), middle + bounds.radius()},
+                          size);
     return;
   }
   DisplayInput input;
   input.image = &image;
-  input.weight = fromSums ? 1.0F / static_cast<float>(std::max(m_samples, 1)) : 1.0F;
+  input.weight = weight;
   input.exact = request.exactDisplay;
   // Until a still picture has enough samples of its own to be smooth, it is smoothed like a moving one: no flicker at
   // rest.
   constexpr int kSmoothSamples = 4;
-  if (!request.exactDisplay && (request.moving ? m_software : m_samples < kSmoothSamples)) {
+  if (!request.exactDisplay && (request.moving ? !frame.multisampled : m_samples < kSmoothSamples)) {
     const bool isOnlyModel = !hasVisibleLamps(frame.scene);
     input.edgeFilter = isOnlyModel ? screenArea(frame.camera, frame.scene.model->bounds, request.size)
                                    : PixelArea{glm::ivec2(0), request.size};
@@ -227,8 +264,7 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
 
 Image Frame::readAov(Aov aov) const {
   const SceneImage which = sceneImageOf(aov);
-  const bool kept = (m_targets.images() & bitOf(which)) != 0 && m_targets.sum(which);
-  if (!kept || m_samples == 0) return blackAov(aov, m_targets.size());
+  if (!m_targets.summed(which) || m_samples == 0) return blackAov(aov, m_targets.size());
   return aovFromSums(aov, m_targets.sum(which), m_samples);
 }
 

@@ -42,6 +42,7 @@ class Frame {
     SceneImages images = 0;
     bool precise = false;
     double seconds = 0.0;
+    bool withoutSubsurface = false;
     std::uint64_t revision = 0;
     bool operator==(const StillKey&) const = default;
   };
@@ -57,7 +58,7 @@ class Frame {
   DisplayPass m_display;
   gl::GpuTimer m_timer;
   gl::VertexArray m_noVertices;
-  gl::Buffer m_frameBlockBuffer;
+  gl::Buffer m_frameBlockBuffer, m_sampleBlockBuffer;
   std::vector<std::byte> m_frameBlockBytes;
   StillKey m_stillKey;
   SceneImages m_kept = kBeautyOnly;

@@ -9,19 +9,24 @@
 #include "gl/job_queue.h"
 #include "gl/shader_library.h"
 #include "passes/scene_resources.h"
+#include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
 
 namespace dermis {
 
 namespace {
 
-constexpr std::array<std::pair<Aov, std::string_view>, 7> kAovs = {{{Aov::Beauty, "beauty"},
-                                                                    {Aov::Diffuse, "diffuse"},
-                                                                    {Aov::Specular, "specular"},
-                                                                    {Aov::Normal, "normal"},
-                                                                    {Aov::Occlusion, "occlusion"},
-                                                                    {Aov::Depth, "depth"},
-                                                                    {Aov::ProfileId, "profile_id"}}};
+constexpr std::array<std::pair<Aov, std::string_view>, 11> kAovs = {{{Aov::Beauty, "beauty"},
+                                                                     {Aov::Diffuse, "diffuse"},
+                                                                     {Aov::DiffuseScattered, "diffuse_scattered"},
+                                                                     {Aov::Specular, "specular"},
+                                                                     {Aov::Transmission, "transmission"},
+                                                                     {Aov::Thickness, "thickness"},
+                                                                     {Aov::Normal, "normal"},
+                                                                     {Aov::Occlusion, "occlusion"},
+                                                                     {Aov::ProfileId, "profile_id"},
+                                                                     {Aov::Energy, "energy"},
+                                                                     {Aov::Depth, "depth"}}};
 
 std::string glString(GLenum name) {
   const auto* text = reinterpret_cast<const char*>(glGetString(name));
@@ -123,9 +128,12 @@ class GlRenderer final : public Renderer {
     for (std::size_t i = 0; i < scene.slots.size(); ++i) {
       const std::optional<int> maps = m_info.software ? std::optional<int>(presentMaps(scene, i)) : std::nullopt;
       const ShadingModel model = scene.slots[i].material.model;
-      need.push_back(surfaceProgram(model, withAovs, maps));
-      if (m_info.software && m_hasWindow && !withAovs) moving.push_back(deferredProgram(model, maps));
+      const bool blended = isBlended(scene.slots[i].material);
+      need.push_back(surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps));
+      if (m_info.software && m_hasWindow && !withAovs && !blended)
+        moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps));
     }
+    if (isSplit(scene) || withAovs) need.push_back(composeProgram());
     // What a moving picture needs on software GL comes after what the still one does.
     if (!moving.empty()) moving.push_back(geometryProgram());
     need.insert(need.end(), moving.begin(), moving.end());

@@ -18,7 +18,21 @@
 namespace dermis {
 
 /// Images of the frame that can be looked at or saved by name. Aov::Beauty is the picture.
-enum class Aov { Beauty, Diffuse, Specular, Normal, Occlusion, Depth, ProfileId };
+/// Diffuse is the body's light as if it left where it entered, DiffuseScattered as it leaves after diffusion; Thickness
+/// is in mm; Energy is the share of a uniform white environment that a pixel returns.
+enum class Aov {
+  Beauty,
+  Diffuse,
+  DiffuseScattered,
+  Specular,
+  Transmission,
+  Thickness,
+  Normal,
+  Occlusion,
+  ProfileId,
+  Energy,
+  Depth
+};
 [[nodiscard]] std::string_view toString(Aov aov);  ///< "beauty", "diffuse", …, "profile_id"
 [[nodiscard]] std::vector<Aov> allAovs();
 
@@ -44,10 +58,11 @@ struct FrameRequest {
   Aov aov = Aov::Beauty;  ///< what is displayed
   bool moving = false;    ///< something is being dragged: one cheap anti-aliased frame, no accumulation
   int targetSamples = 64;
-  bool exactDisplay = false;  ///< exports: OCIO's exact program rather than the baked LUT
-  double seconds = 0.0;       ///< time for the lights' animation
-  unsigned framebuffer = 0;   ///< GL framebuffer to put the displayed picture in; 0 without a window: none
-  glm::ivec2 displaySize{0};  ///< of that framebuffer, where the picture is drawn smaller and enlarged; 0: size
+  bool withoutSubsurface = false;  ///< light leaves where it entered, to see what diffusion does
+  bool exactDisplay = false;       ///< exports: OCIO's exact program rather than the baked LUT
+  double seconds = 0.0;            ///< time for the lights' animation
+  unsigned framebuffer = 0;        ///< GL framebuffer to put the displayed picture in; 0 without a window: none
+  glm::ivec2 displaySize{0};       ///< of that framebuffer, where the picture is drawn smaller and enlarged; 0: size
 };
 
 /// Counters of what was really done, for tests and the statistics line; cumulative since create().

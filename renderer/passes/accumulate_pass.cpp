@@ -12,9 +12,9 @@ void accumulatePass(const FrameContext& frame, bool first) {
   glBlendFunc(GL_ONE, GL_ONE);
   for (std::size_t i = 0; i < kSceneImageCount; ++i) {
     const auto image = static_cast<SceneImage>(i);
-    if ((frame.targets.images() & bitOf(image)) == 0) continue;
+    if (!frame.targets.summed(image)) continue;
     // Numbers of materials don't add up: a pixel keeps the largest that touched it.
-    glBlendEquation(image == SceneImage::ProfileId ? GL_MAX : GL_FUNC_ADD);
+    glBlendEquation(image == SceneImage::Geometry ? GL_MAX : GL_FUNC_ADD);
     frame.targets.sumBuffer(image).bind();
     frame.targets.image(image).bind(0);
     gl::drawFullScreen();

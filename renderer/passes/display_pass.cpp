@@ -141,17 +141,17 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
   return true;
 }
 
-void DisplayPass::drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, glm::vec2 depthRange,
-                           glm::ivec2 size) {
+void DisplayPass::drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, float weight,
+                           glm::vec2 depthRange, glm::ivec2 size) {
   gl::ProgramSources sources;
   sources.vertex = "full_screen.vert";
   sources.fragment = "aov.frag";
   const gl::Program* program = frame.useProgram(sources);
   if (program == nullptr) return;
-  const int kind = aov == Aov::Normal ? 0 : aov == Aov::Occlusion ? 1 : aov == Aov::Depth ? 2 : 3;
+  glUniform1i(program->uniform("u_aov"), static_cast<int>(aov));
   sums.bind(kImageUnit);
   const glm::vec2 scale = glm::vec2(sums.width(), sums.height()) / glm::vec2(size);
-  glUniform1i(program->uniform("u_kind"), kind);
+  glUniform1f(program->uniform("u_weight"), weight);
   glUniform2f(program->uniform("u_range"), depthRange.x, depthRange.y);
   glUniform2f(program->uniform("u_scale"), scale.x, scale.y);
   glViewport(0, 0, size.x, size.y);

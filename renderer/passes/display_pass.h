@@ -34,7 +34,7 @@ class DisplayPass {
             glm::ivec2 size);
 
   /// Shows an image that is not radiance.
-  static void drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, glm::vec2 depthRange,
+  static void drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, float weight, glm::vec2 depthRange,
                        glm::ivec2 size);
 
   [[nodiscard]] std::uint64_t built() const { return m_built; }

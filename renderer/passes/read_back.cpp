@@ -13,11 +13,28 @@ int channelsOf(Aov aov) {
     case Aov::Beauty:
       return 4;
     case Aov::Diffuse:
+    case Aov::DiffuseScattered:
     case Aov::Specular:
+    case Aov::Transmission:
     case Aov::Normal:
       return 3;
     default:
       return 1;
+  }
+}
+
+/// Where a number is in its image: see SceneImage.
+std::size_t firstChannelOf(Aov aov) {
+  switch (aov) {
+    case Aov::Depth:
+      return 1;
+    case Aov::Thickness:
+    case Aov::ProfileId:
+      return 2;
+    case Aov::Energy:
+      return 3;
+    default:
+      return 0;
   }
 }
 
@@ -40,20 +57,20 @@ Image blackAov(Aov aov, glm::ivec2 size) {
 }
 
 Image aovFromSums(Aov aov, const gl::Texture& sums, int samples) {
-  const bool single = aov == Aov::ProfileId;
-  const auto stored = static_cast<std::size_t>(single ? 1 : 4);
+  constexpr std::size_t stored = 4;
   const std::vector<float> values = sums.readFloats(static_cast<int>(stored));
   Image image = blackAov(aov, {sums.width(), sums.height()});
   const auto width = static_cast<std::size_t>(image.width);
   const auto height = static_cast<std::size_t>(image.height);
   const auto channels = static_cast<std::size_t>(image.channels);
-  const bool isMeanOfCovered = aov == Aov::Normal || aov == Aov::Occlusion || aov == Aov::Depth;
-  const std::size_t first = aov == Aov::Depth ? 1 : 0;  // the data image holds occlusion, depth
+  const bool isMeanOfCovered =
+      aov == Aov::Normal || aov == Aov::Occlusion || aov == Aov::Thickness || aov == Aov::Depth;
+  const std::size_t first = firstChannelOf(aov);
   const float weight = 1.0F / static_cast<float>(samples);
   for (std::size_t y = 0; y < height; ++y) {
     for (std::size_t x = 0; x < width; ++x) {
       const float* sum = &values[((height - 1 - y) * width + x) * stored];
-      float scale = single ? 1.0F : weight;
+      float scale = aov == Aov::ProfileId ? 1.0F : weight;
       if (isMeanOfCovered) scale = sum[3] > 0.0F ? 1.0F / sum[3] : 0.0F;
       float pixel[4] = {};
       for (std::size_t c = 0; c < channels; ++c) pixel[c] = sum[first + c] * scale;

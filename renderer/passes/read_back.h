@@ -9,9 +9,9 @@
 
 namespace dermis {
 
-/// The mean of `samples`. Beauty RGBA premultiplied; Diffuse and Specular RGB, premultiplied; Normal RGB, Occlusion and
-/// Depth one channel, the mean over what covers the pixel and 0 where nothing does; ProfileId the largest number that
-/// touched the pixel.
+/// The mean of `samples`. Beauty RGBA premultiplied; the other radiances RGB, premultiplied; Normal RGB, Occlusion,
+/// Thickness and Depth one channel, the mean over what covers the pixel and 0 where nothing does; Energy one channel,
+/// premultiplied; ProfileId the largest number that touched the pixel.
 [[nodiscard]] Image aovFromSums(Aov aov, const gl::Texture& sums, int samples);
 /// The same where nothing was drawn.
 [[nodiscard]] Image blackAov(Aov aov, glm::ivec2 size);

@@ -7,15 +7,14 @@ namespace dermis {
 
 namespace {
 
-constexpr std::array<const char*, kSceneImageCount> kNames = {"beauty", "diffuse", "specular",
-                                                              "normal", "data",    "profile id"};
-
-void drawTo(const gl::Framebuffer& framebuffer, SceneImages images) {
-  std::vector<GLenum> attachments;
-  for (std::size_t i = 0; i < kSceneImageCount; ++i)
-    attachments.push_back((images & (1U << i)) != 0 ? GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i) : GLenum{GL_NONE});
-  framebuffer.drawTo(attachments);
-}
+constexpr std::array<const char*, kSceneImageCount> kNames = {
+    "beauty", "entering", "exit", "geometry", "specular", "transmission", "normal", "data", "diffuse", "scattered"};
+constexpr std::array kSurfaceImages = {SceneImage::Beauty,   SceneImage::Entering, SceneImage::Exit,
+                                       SceneImage::Geometry, SceneImage::Specular, SceneImage::Transmission,
+                                       SceneImage::Normal,   SceneImage::Data};
+constexpr std::array kComposedImages = {SceneImage::Beauty, SceneImage::Diffuse, SceneImage::Scattered};
+constexpr std::array kRadianceImages = {SceneImage::Beauty, SceneImage::Diffuse, SceneImage::Scattered,
+                                        SceneImage::Specular, SceneImage::Transmission};
 
 }  // namespace
 
@@ -23,18 +22,39 @@ SceneImage sceneImageOf(Aov aov) {
   switch (aov) {
     case Aov::Diffuse:
       return SceneImage::Diffuse;
+    case Aov::DiffuseScattered:
+      return SceneImage::Scattered;
     case Aov::Specular:
       return SceneImage::Specular;
+    case Aov::Transmission:
+      return SceneImage::Transmission;
     case Aov::Normal:
       return SceneImage::Normal;
+    case Aov::Thickness:
     case Aov::Occlusion:
     case Aov::Depth:
       return SceneImage::Data;
     case Aov::ProfileId:
-      return SceneImage::ProfileId;
-    default:
-      return SceneImage::Beauty;
+      return SceneImage::Geometry;
+    case Aov::Energy:
+      return SceneImage::Exit;
+    case Aov::Beauty:
+      break;
   }
+  return SceneImage::Beauty;
+}
+
+gl::Framebuffer RenderTargets::framebufferOf(std::span<const SceneImage> images, const char* label,
+                                             bool withDepth) const {
+  gl::Framebuffer framebuffer = gl::Framebuffer::create(label);
+  std::vector<GLenum> attachments;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    if (has(images[i])) framebuffer.attachColour(static_cast<GLuint>(i), image(images[i]));
+    attachments.push_back(has(images[i]) ? GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i) : GLenum{GL_NONE});
+  }
+  if (withDepth) framebuffer.attachDepth(m_depth);
+  framebuffer.drawTo(attachments);
+  return framebuffer;
 }
 
 Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool precise, bool multisampled) {
@@ -46,20 +66,28 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
     m_size = size;
     m_images = images;
     m_precise = precise;
-    m_scene = gl::Framebuffer::create("scene");
     for (std::size_t i = 0; i < kSceneImageCount; ++i) {
       if ((images & (1U << i)) == 0) continue;
-      GLenum format = i == 0 && !precise ? GL_RGBA16F : GL_RGBA32F;
-      if (i == static_cast<std::size_t>(SceneImage::ProfileId)) format = GL_R32F;
-      m_imagesOf.at(i) =
-          gl::Texture::create({.format = format, .width = size.x, .height = size.y, .label = kNames.at(i)});
-      m_scene.attachColour(static_cast<GLuint>(i), m_imagesOf.at(i));
+      // Data and normals are averaged over many samples; radiance of a moving picture is not.
+      const auto which = static_cast<SceneImage>(i);
+      const bool half = !precise && which != SceneImage::Data && which != SceneImage::Normal;
+      m_imagesOf.at(i) = gl::Texture::create({.format = half ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F},
+                                              .width = size.x,
+                                              .height = size.y,
+                                              .label = kNames.at(i)});
     }
     m_depth =
         gl::Texture::create({.format = GL_DEPTH_COMPONENT32F, .width = size.x, .height = size.y, .label = "depth"});
-    m_scene.attachDepth(m_depth);
-    drawToAll();
-    if (auto complete = m_scene.check(); !complete) return tl::unexpected(complete.error());
+    m_scene = framebufferOf(kSurfaceImages, "scene", true);
+    m_radiances = framebufferOf(kRadianceImages, "radiances", true);
+    for (const gl::Framebuffer* framebuffer : {&m_scene, &m_radiances})
+      if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
+    if (split()) {
+      m_shading = framebufferOf(kSurfaceImages, "shading", false);
+      m_composed = framebufferOf(kComposedImages, "composed", false);
+      for (const gl::Framebuffer* framebuffer : {&m_shading, &m_composed})
+        if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
+    }
     if (!multisampled) return hadContent;
   }
   constexpr int kSamples = 4;
@@ -93,11 +121,9 @@ Result<void> RenderTargets::prepareSurfaces() {
   m_surfaces.attachColour(1, m_tangent);
   m_surfaces.attachDepth(m_depth);
   m_surfaces.drawTo(2);
-  m_beautyAlone = gl::Framebuffer::create("beauty without depth");
-  m_beautyAlone.attachColour(0, image(SceneImage::Beauty));
-  m_beautyAlone.drawTo(1);
+  if (!m_shading) m_shading = framebufferOf(kSurfaceImages, "shading", false);
   if (auto complete = m_surfaces.check(); !complete) return complete;
-  return m_beautyAlone.check();
+  return m_shading.check();
 }
 
 void RenderTargets::bindSurfaces() const {
@@ -107,14 +133,11 @@ void RenderTargets::bindSurfaces() const {
   m_depth.bind(kFirstUnit + 2);
 }
 
-Result<void> RenderTargets::prepareSums() {
+Result<void> RenderTargets::prepareSums(SceneImages images) {
   for (std::size_t i = 0; i < kSceneImageCount; ++i) {
-    if ((m_images & (1U << i)) == 0 || m_sums.at(i)) continue;
-    const bool single = i == static_cast<std::size_t>(SceneImage::ProfileId);
-    m_sums.at(i) = gl::Texture::create({.format = single ? GLenum{GL_R32F} : GLenum{GL_RGBA32F},
-                                        .width = m_size.x,
-                                        .height = m_size.y,
-                                        .label = std::string("sum of ") + kNames.at(i)});
+    if ((images & m_images & (1U << i)) == 0 || m_sums.at(i)) continue;
+    m_sums.at(i) = gl::Texture::create(
+        {.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = std::string("sum of ") + kNames.at(i)});
     m_sumBuffers.at(i) = gl::Framebuffer::create(std::string("sum of ") + kNames.at(i));
     m_sumBuffers.at(i).attachColour(0, m_sums.at(i));
     m_sumBuffers.at(i).drawTo(1);
@@ -123,10 +146,12 @@ Result<void> RenderTargets::prepareSums() {
   return {};
 }
 
-void RenderTargets::drawToAll() const { drawTo(m_scene, m_images); }
-void RenderTargets::drawToRadiance() const {
-  drawTo(m_scene, m_images & (bitOf(SceneImage::Beauty) | bitOf(SceneImage::Diffuse) | bitOf(SceneImage::Specular)));
+void RenderTargets::drawToAll() const {
+  std::vector<GLenum> attachments;
+  for (const SceneImage image : kSurfaceImages)
+    attachments.push_back(has(image) ? GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(image) : GLenum{GL_NONE});
+  m_scene.drawTo(attachments);
 }
-void RenderTargets::drawToBeauty() const { drawTo(m_scene, kBeautyOnly); }
+void RenderTargets::drawToBeauty() const { m_scene.drawTo(1); }
 
 }  // namespace dermis

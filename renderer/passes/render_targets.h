@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <span>
 
 #include "core/base/result.h"
 #include "gl/gl_objects.h"
@@ -10,13 +11,28 @@
 
 namespace dermis {
 
-/// What surface.frag writes, by location.
-enum class SceneImage { Beauty, Diffuse, Specular, Normal, Data, ProfileId };
-inline constexpr std::size_t kSceneImageCount = 6;
+/// The images of a frame. surface.frag writes the first eight, by location; the subsurface pass the last two.
+///   Beauty        the picture; until the subsurface pass only what doesn't go through the body
+///   Entering      light that goes into the body; a the share that diffuses
+///   Exit          what leaving multiplies it by; a the energy
+///   Geometry      vertex normal on the octahedron, profile id, thickness in mm
+///   Specular, Transmission
+///   Normal        shading normal, coverage
+///   Data          occlusion, depth along the view in scene units, thickness in mm, coverage
+///   Diffuse       the body's light as if it left where it entered
+///   Scattered     as it leaves after diffusion
+enum class SceneImage { Beauty, Entering, Exit, Geometry, Specular, Transmission, Normal, Data, Diffuse, Scattered };
+inline constexpr std::size_t kSceneImageCount = 10, kSurfaceImageCount = 8;
 /// A set of them, as bits; Beauty is always in it.
 using SceneImages = unsigned;
 [[nodiscard]] constexpr SceneImages bitOf(SceneImage image) { return 1U << static_cast<unsigned>(image); }
 inline constexpr SceneImages kBeautyOnly = bitOf(SceneImage::Beauty);
+/// What the subsurface pass works on.
+inline constexpr SceneImages kSplit =
+    kBeautyOnly | bitOf(SceneImage::Entering) | bitOf(SceneImage::Exit) | bitOf(SceneImage::Geometry);
+/// What is blended over.
+inline constexpr SceneImages kRadiances = kBeautyOnly | bitOf(SceneImage::Specular) | bitOf(SceneImage::Transmission) |
+                                          bitOf(SceneImage::Diffuse) | bitOf(SceneImage::Scattered);
 /// Where an AOV is found.
 [[nodiscard]] SceneImage sceneImageOf(Aov aov);
 
@@ -25,20 +41,26 @@ class RenderTargets {
   /// Makes what is needed and isn't there. `precise` images are 32-bit float, for exports; else RGBA16F.
   /// `multisampled`: four samples a pixel besides. True where images that had content were replaced. Errors: Runtime.
   [[nodiscard]] Result<bool> prepare(glm::ivec2 size, SceneImages images, bool precise, bool multisampled);
-  /// Makes the sums, zeroed by the first sample written. Errors: Runtime.
-  [[nodiscard]] Result<void> prepareSums();
+  /// Makes the sums of these images, zeroed by the first sample written. Errors: Runtime.
+  [[nodiscard]] Result<void> prepareSums(SceneImages images);
 
   /// Makes what surfacePassDeferred draws into first. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSurfaces();
 
   [[nodiscard]] glm::ivec2 size() const { return m_size; }
   [[nodiscard]] SceneImages images() const { return m_images; }
+  [[nodiscard]] bool has(SceneImage image) const { return (m_images & bitOf(image)) != 0; }
+  [[nodiscard]] bool split() const { return (m_images & kSplit) == kSplit; }
   [[nodiscard]] bool precise() const { return m_precise; }
 
   [[nodiscard]] const gl::Framebuffer& scene() const { return m_scene; }
   [[nodiscard]] const gl::Framebuffer& multisampled() const { return m_multisampled; }
-  [[nodiscard]] const gl::Framebuffer& surfaces() const { return m_surfaces; }        ///< with the scene's depth
-  [[nodiscard]] const gl::Framebuffer& beautyAlone() const { return m_beautyAlone; }  ///< without it, to read it
+  [[nodiscard]] const gl::Framebuffer& surfaces() const { return m_surfaces; }  ///< with the scene's depth
+  /// What the surface pass writes, and what the subsurface pass makes of it (beauty, diffuse, scattered by location):
+  /// both without depth, which they read.
+  [[nodiscard]] const gl::Framebuffer& shading() const { return m_shading; }
+  [[nodiscard]] const gl::Framebuffer& composed() const { return m_composed; }
+  [[nodiscard]] const gl::Texture& depth() const { return m_depth; }
   /// Coordinates and normal, tangent, depth: on the units that surface.frag reads them from.
   void bindSurfaces() const;
   [[nodiscard]] const gl::Texture& image(SceneImage image) const {
@@ -48,12 +70,17 @@ class RenderTargets {
   [[nodiscard]] const gl::Framebuffer& sumBuffer(SceneImage image) const {
     return m_sumBuffers.at(static_cast<std::size_t>(image));
   }
-  /// Draws into all images of the frame, or into the radiance ones only (what blends).
+  [[nodiscard]] bool summed(SceneImage image) const { return static_cast<bool>(sum(image)); }
+  /// With depth: beauty, diffuse, scattered, specular, transmission by location, as far as they are there.
+  [[nodiscard]] const gl::Framebuffer& radiances() const { return m_radiances; }
+  /// Draws into all images that the surface pass writes, or into the picture alone.
   void drawToAll() const;
-  void drawToRadiance() const;
   void drawToBeauty() const;
 
  private:
+  [[nodiscard]] gl::Framebuffer framebufferOf(std::span<const SceneImage> images, const char* label,
+                                              bool withDepth) const;
+
   glm::ivec2 m_size{0};
   SceneImages m_images = 0;
   bool m_precise = false;
@@ -62,7 +89,7 @@ class RenderTargets {
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
   gl::Texture m_surface, m_tangent;
-  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_beautyAlone;
+  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_shading, m_composed, m_radiances;
 };
 
 }  // namespace dermis

@@ -38,6 +38,8 @@ int profileIdOf(const Material& material, std::size_t slot) {
 
 }  // namespace
 
+bool isBlended(const Material& material) { return drawKindOf(material) != DrawKind::Opaque; }
+
 bool samePicture(const ResolvedScene& a, const ResolvedScene& b) {
   if (a.model != b.model || a.millimetresPerUnit != b.millimetresPerUnit || a.slots.size() != b.slots.size())
     return false;

@@ -7,11 +7,16 @@ namespace dermis {
 
 namespace {
 
+SurfaceOutputs outputsOf(const FrameContext& frame, bool blended) {
+  if (frame.multisampled) return SurfaceOutputs::Picture;
+  return surfaceOutputs(frame.scene, (frame.targets.images() & ~kSplit) != 0, blended);
+}
+
 void drawPart(const FrameContext& frame, std::size_t index) {
   const ModelPart& part = frame.scene.model->parts[index];
   const SlotResources& slot = frame.resources.slots()[part.slot];
-  const bool withAovs = frame.targets.images() != kBeautyOnly && !frame.multisampled;
-  if (frame.useProgram(surfaceProgram(slot.model, withAovs, slot.constantMaps)) == nullptr) return;
+  const SurfaceOutputs outputs = outputsOf(frame, slot.kind != DrawKind::Opaque);
+  if (frame.useProgram(surfaceProgram(slot.model, outputs, slot.constantMaps)) == nullptr) return;
   frame.resources.bindSlot(slot);
   if (slot.kind == DrawKind::Opaque || slot.cullBackFaces) {
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
@@ -28,12 +33,26 @@ void drawPart(const FrameContext& frame, std::size_t index) {
 
 }  // namespace
 
-gl::ProgramSources surfaceProgram(ShadingModel model, bool withAovs, std::optional<int> constantMaps) {
+bool isSplit(const ResolvedScene& scene) {
+  return std::any_of(scene.slots.begin(), scene.slots.end(), [](const ResolvedMaterial& slot) {
+    return slot.material.model == ShadingModel::Skin || slot.material.model == ShadingModel::Eye;
+  });
+}
+
+SurfaceOutputs surfaceOutputs(const ResolvedScene& scene, bool withAovs, bool blended) {
+  if (withAovs) return blended ? SurfaceOutputs::BlendedEverything : SurfaceOutputs::Everything;
+  return isSplit(scene) && !blended ? SurfaceOutputs::Split : SurfaceOutputs::Picture;
+}
+
+gl::ProgramSources surfaceProgram(ShadingModel model, SurfaceOutputs outputs, std::optional<int> constantMaps) {
   gl::ProgramSources sources;
   sources.vertex = "surface.vert";
   sources.fragment = "surface.frag";
   sources.defines = {"DERMIS_MODEL \"models/" + std::string(shadingModelRow(model).id) + ".glsl\""};
-  if (withAovs) sources.defines.emplace_back("DERMIS_AOVS");
+  if (outputs == SurfaceOutputs::Split || outputs == SurfaceOutputs::Everything)
+    sources.defines.emplace_back("DERMIS_SPLIT");
+  if (outputs == SurfaceOutputs::Everything) sources.defines.emplace_back("DERMIS_AOVS");
+  if (outputs == SurfaceOutputs::BlendedEverything) sources.defines.emplace_back("DERMIS_BLENDED_AOVS");
   const bool readsMaps =
       model != ShadingModel::Reflection && model != ShadingModel::MicrofacetLab && model != ShadingModel::Lens;
   if (constantMaps && readsMaps) sources.defines.push_back("DERMIS_MAPS " + std::to_string(*constantMaps));
@@ -60,8 +79,8 @@ gl::ProgramSources geometryProgram() {
   return sources;
 }
 
-gl::ProgramSources deferredProgram(ShadingModel model, std::optional<int> constantMaps) {
-  gl::ProgramSources sources = surfaceProgram(model, false, constantMaps);
+gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs, std::optional<int> constantMaps) {
+  gl::ProgramSources sources = surfaceProgram(model, outputs, constantMaps);
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
   return sources;
@@ -106,7 +125,7 @@ void surfacePassDeferred(const FrameContext& frame) {
   // Each pixel's light, once.
   const PixelArea area = screenArea(frame.camera, frame.scene.model->bounds, frame.request.size);
   const glm::ivec2 extent = area.upper - area.lower;
-  frame.targets.beautyAlone().bind();
+  frame.targets.shading().bind();
   frame.targets.bindSurfaces();
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -115,7 +134,8 @@ void surfacePassDeferred(const FrameContext& frame) {
   for (const ModelPart& part : parts) {
     const SlotResources& slot = slots[part.slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program = frame.useProgram(deferredProgram(slot.model, slot.constantMaps));
+    const gl::Program* program =
+        frame.useProgram(deferredProgram(slot.model, outputsOf(frame, false), slot.constantMaps));
     if (program == nullptr) continue;
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(part.slot));
     frame.resources.bindSlot(slot);

@@ -5,9 +5,16 @@
 
 namespace dermis {
 
-/// The program of a shading model; `withAovs` writes all images that the targets keep. `constantMaps` are the bits of
-/// the maps that are there (material_maps.glsl); without them the program asks a uniform.
-[[nodiscard]] gl::ProgramSources surfaceProgram(ShadingModel model, bool withAovs,
+/// What a surface's program writes: surface.frag says which is which.
+enum class SurfaceOutputs { Picture, Split, Everything, BlendedEverything };
+/// Of a scene's opaque or blended parts.
+[[nodiscard]] SurfaceOutputs surfaceOutputs(const ResolvedScene& scene, bool withAovs, bool blended);
+/// Whether light diffuses in some opaque part, so that what enters and what leaves are kept apart.
+[[nodiscard]] bool isSplit(const ResolvedScene& scene);
+
+/// The program of a shading model. `constantMaps` are the bits of the maps that are there (material_maps.glsl); without
+/// them the program asks a uniform.
+[[nodiscard]] gl::ProgramSources surfaceProgram(ShadingModel model, SurfaceOutputs outputs,
                                                 std::optional<int> constantMaps = std::nullopt);
 
 /// Opaque parts, depth tested and written.
@@ -19,7 +26,8 @@ void surfacePassDeferred(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const FrameContext& frame);
 [[nodiscard]] gl::ProgramSources geometryProgram();
-[[nodiscard]] gl::ProgramSources deferredProgram(ShadingModel model, std::optional<int> constantMaps);
+[[nodiscard]] gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs,
+                                                 std::optional<int> constantMaps);
 
 /// Lenses and blended materials, premultiplied over what is there, far ones first. A blended part shows its back faces,
 /// then its front ones; its own triangles are not sorted further.

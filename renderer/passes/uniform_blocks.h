@@ -11,7 +11,7 @@
 
 namespace dermis {
 
-inline constexpr unsigned kFrameBinding = 0, kMaterialBinding = 1, kDrawBinding = 2;
+inline constexpr unsigned kFrameBinding = 0, kMaterialBinding = 1, kDrawBinding = 2, kSampleBinding = 5;
 
 struct LightBlock {
   glm::vec4 positionType{0.0F};
@@ -34,6 +34,11 @@ struct FrameBlock {
 static_assert(sizeof(LightBlock) == 64);
 static_assert(sizeof(FrameBlock) == 416 + kMaxLights * sizeof(LightBlock));
 
+struct SampleBlock {
+  glm::ivec4 sampling{0};
+  glm::vec4 random{0.5F};
+};
+
 struct MapBlock {
   glm::vec4 channel{1.0F, 0.0F, 0.0F, 0.0F};
   glm::vec4 transform{1.0F, 0.0F, 1.0F, 1.0F};
@@ -49,6 +54,10 @@ template <class Block>
 [[nodiscard]] std::span<const std::byte> bytesOf(const Block& block) {
   return std::as_bytes(std::span<const Block, 1>(&block, 1));
 }
+
+/// What sample `index` of a still picture is drawn with, or a moving picture's only one: four numbers of the R4
+/// sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
+[[nodiscard]] SampleBlock packSample(int index, bool moving, bool withoutSubsurface);
 
 /// Where a lamp is at `seconds`: sway moves it along x by amplitude · sin(speed · t), as the published code does; orbit
 /// turns it about the world's y axis at `speed` radians a second, its distance from the axis multiplied by the

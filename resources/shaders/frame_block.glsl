@@ -21,3 +21,9 @@ layout(std140, binding = 0) uniform FrameBlock {
   vec4 u_units;                   // x millimetres per scene unit
   LightData u_lights[16];
 };
+
+// What differs from one accumulated sample to the next. C++ twin: SampleBlock.
+layout(std140, binding = 5) uniform SampleBlock {
+  ivec4 u_sampling;  // x index of the accumulated sample, y 1 while moving, z 1 where the view switches subsurface off
+  vec4 u_random;     // four numbers in 0..1, evenly spread over the samples
+};

@@ -1,5 +1,7 @@
 // Only what the surface is, for shading afterwards: software GL shades whole blocks of pixels for each small triangle, so a dense mesh
 // costs several times its pixels unless the expensive part runs once a pixel.
+#include "octahedron.glsl"
+
 uniform int u_slot;
 
 in vec3 v_position;
@@ -9,13 +11,6 @@ in vec2 v_uv;
 
 layout(location = 0) out vec4 o_surface;  // uv, normal on the octahedron
 layout(location = 1) out vec4 o_tangent;  // tangent; (slot + 1) · 4 + 2 if front-facing + 1 if the tangent's sign is positive
-
-// Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit Vectors".
-vec2 toOctahedron(vec3 n) {
-  n /= abs(n.x) + abs(n.y) + abs(n.z);
-  if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  return n.xy;
-}
 
 void main() {
   o_surface = vec4(v_uv, toOctahedron(v_normal));

@@ -1,6 +1,7 @@
-// One fragment of the model: fills Surface, asks the shading model, writes the picture and, with DERMIS_AOVS, its parts.
+// One fragment of the model: fills Surface, asks the shading model, writes the picture or the parts that later passes make it of.
 #include "frame_block.glsl"
 #include "draw_block.glsl"
+#include "octahedron.glsl"
 #include "surface_types.glsl"
 #include DERMIS_MODEL
 
@@ -17,23 +18,31 @@ in vec4 v_tangent;
 in vec2 v_uv;
 #endif
 
-// Premultiplied radiance; alpha is coverage.
+// What is written, by location (SceneImage in renderer/passes/render_targets.h). Radiances are premultiplied.
+//   nothing set               0 the picture
+//   DERMIS_SPLIT              0 what does not go through the body, 1 to 3 what the subsurface pass needs
+//   DERMIS_AOVS, after that   4 to 7 parts to look at
+//   DERMIS_BLENDED_AOVS       what is drawn over a finished picture and its parts
 layout(location = 0) out vec4 o_beauty;
+#ifdef DERMIS_SPLIT
+layout(location = 1) out vec4 o_entering;  // a: share that diffuses
+layout(location = 2) out vec4 o_exit;      // a: energy
+layout(location = 3) out vec4 o_geometry;  // vertex normal on the octahedron, profile id, thickness in mm
 #ifdef DERMIS_AOVS
+layout(location = 4) out vec4 o_specular;
+layout(location = 5) out vec4 o_transmission;
+layout(location = 6) out vec4 o_normal;  // shading normal in world space, coverage
+layout(location = 7) out vec4 o_data;    // occlusion, depth along the view in scene units, thickness in mm, coverage
+#endif
+#endif
+#ifdef DERMIS_BLENDED_AOVS
 layout(location = 1) out vec4 o_diffuse;
-layout(location = 2) out vec4 o_specular;
-layout(location = 3) out vec4 o_normal;  // shading normal in world space, coverage
-layout(location = 4) out vec4 o_data;    // occlusion, depth along the view in scene units, 0, coverage
-layout(location = 5) out float o_profile_id;
+layout(location = 2) out vec4 o_scattered;
+layout(location = 3) out vec4 o_specular;
+layout(location = 4) out vec4 o_transmission;
 #endif
 
 #ifdef DERMIS_DEFERRED
-vec3 fromOctahedron(vec2 e) {
-  vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-  if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  return normalize(n);
-}
-
 Surface surfaceHere() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 tangent = texelFetch(u_tangent, pixel, 0);
@@ -49,6 +58,9 @@ Surface surfaceHere() {
   s.tangent = vec4(tangent.xyz, (code & 1) != 0 ? 1.0 : -1.0);
   s.uv = surface.xy;
   s.front_facing = (code & 2) != 0;
+  s.baked_occlusion = 1.0;
+  s.baked_thickness_mm = -1.0;
+  s.sky_share = vec3(1.0);
   return s;
 }
 #else
@@ -60,6 +72,9 @@ Surface surfaceHere() {
   s.tangent = v_tangent;
   s.uv = v_uv;
   s.front_facing = gl_FrontFacing;
+  s.baked_occlusion = 1.0;
+  s.baked_thickness_mm = -1.0;
+  s.sky_share = vec3(1.0);
   return s;
 }
 #endif
@@ -69,12 +84,26 @@ void main() {
   s.view = u_camera_position.w > 0.5 ? -u_camera_forward.xyz : normalize(u_camera_position.xyz - s.position);
 
   Shading shading = shade(s);
-  o_beauty = vec4(shading.diffuse + shading.specular, shading.alpha);
+  vec3 diffuse = shading.entering * shading.exit;
+#ifdef DERMIS_SPLIT
+  float diffusing = u_sampling.z == 0 ? shading.subsurface : 0.0;
+  o_beauty = vec4(shading.specular + shading.transmission, shading.alpha);
+  o_entering = vec4(shading.entering, diffusing);
+  o_exit = vec4(shading.exit, shading.energy);
+  o_geometry = vec4(toOctahedron(facingNormal(s)), float(u_map_bits.w), shading.thickness_mm);
 #ifdef DERMIS_AOVS
-  o_diffuse = vec4(shading.diffuse, shading.alpha);
   o_specular = vec4(shading.specular, shading.alpha);
+  o_transmission = vec4(shading.transmission, shading.alpha);
   o_normal = vec4(shading.shading_normal, 1.0);
-  o_data = vec4(shading.occlusion, dot(s.position - u_camera_position.xyz, u_camera_forward.xyz), 0.0, 1.0);
-  o_profile_id = float(u_map_bits.w);
+  o_data = vec4(shading.occlusion, dot(s.position - u_camera_position.xyz, u_camera_forward.xyz), shading.thickness_mm, 1.0);
+#endif
+#else
+  o_beauty = vec4(diffuse + shading.specular + shading.transmission, shading.alpha);
+#endif
+#ifdef DERMIS_BLENDED_AOVS
+  o_diffuse = vec4(diffuse, shading.alpha);
+  o_scattered = o_diffuse;
+  o_specular = vec4(shading.specular, shading.alpha);
+  o_transmission = vec4(shading.transmission, shading.alpha);
 #endif
 }

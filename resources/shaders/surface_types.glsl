@@ -11,15 +11,30 @@ struct Surface {
   vec3 view;              // unit, from the point to the camera
   vec2 uv;
   bool front_facing;
+  float baked_occlusion;     // share of the sky that the mesh itself leaves free; 1 where nothing is known
+  float baked_thickness_mm;  // of the material behind the point; negative where nothing is known
+  vec3 sky_share;            // the environment's irradiance in the mesh's own shadow over what it is without
 };
 
+// Light through the body is split in two, because what lies between is diffusion: `entering` is what goes in, as the radiance that a
+// perfectly white body would send back, `exit` is what leaving multiplies it by. Without diffusion the body's radiance is their product.
 struct Shading {
-  vec3 diffuse;   // radiance leaving through the body of the material
-  vec3 specular;  // radiance reflected at its surface, and emission
-  float alpha;    // coverage of what lies behind; diffuse and specular are already multiplied by what they need
+  vec3 entering;
+  vec3 exit;
+  float subsurface;    // share of `entering` that diffuses; the rest leaves where it entered (Lambert)
+  vec3 transmission;   // radiance of light from the far side
+  vec3 specular;       // radiance reflected at the surface, and emission
+  float alpha;         // coverage of what lies behind; the radiances are already multiplied by what they need
   float occlusion;
+  float thickness_mm;  // 0 where the model has none
+  float energy;        // share of a white environment that is sent to the viewer, of the channel that sends most
   vec3 shading_normal;
 };
+
+// A surface without diffusion, transmission and thickness.
+Shading plainShading(vec3 diffuse, vec3 specular, float alpha, vec3 normal) {
+  return Shading(diffuse, vec3(1.0), 0.0, vec3(0.0), specular, alpha, 1.0, 0.0, 0.0, normal);
+}
 
 // Whether the inside of the surface is looked at. At the silhouette of a closed mesh a pixel may fall on a triangle that just turns
 // away while its interpolated normal doesn't; turning that normal round would light the rim from behind, so it is left alone.

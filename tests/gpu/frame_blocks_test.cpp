@@ -33,7 +33,7 @@ class FrameBlocks : public GlTest {
     return values;
   }
   const gl::Program& programOf(ShadingModel model) {
-    auto program = m_shaders.program(surfaceProgram(model, false));
+    auto program = m_shaders.program(surfaceProgram(model, SurfaceOutputs::Picture));
     EXPECT_TRUE(program.has_value()) << program.error().message;
     return **program;
   }

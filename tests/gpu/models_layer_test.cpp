@@ -102,7 +102,7 @@ const std::string kLampBody = R"(
   vec3 n = vec3(0, 0, 1);
   LayerPoint p = layerPoint(layer(), n, a.xyz);
   x = vec4(layerSpecular(p, b.xyz, b.z), 0);
-  y = vec4(bodyTransmittance(layer(), b.z) * p.body_norm, 0);)";
+  y = vec4(bodyTransmittance(layer(), b.z) * p.body_in * p.body_out, 0);)";
 
 TEST_F(ModelsLayer, LampIsItsTwin) {
   std::mt19937 random(1);
@@ -145,8 +145,8 @@ TEST_F(ModelsLayer, ReciprocalAndNotNegative) {
   p.second.at_normal = q.second.at_normal = layer().second.weight * f0;
   p.second.at_grazing = q.second.at_grazing = layer().second.weight * (1.0 - f0);
 #endif
-  vec3 there = layerSpecular(p, b.xyz, b.z) + bodyTransmittance(layer(), b.z) * p.body_norm / kPi;
-  vec3 back = layerSpecular(q, a.xyz, a.z) + bodyTransmittance(layer(), a.z) * q.body_norm / kPi;
+  vec3 there = layerSpecular(p, b.xyz, b.z) + bodyTransmittance(layer(), b.z) * p.body_in * p.body_out / kPi;
+  vec3 back = layerSpecular(q, a.xyz, a.z) + bodyTransmittance(layer(), a.z) * q.body_in * q.body_out / kPi;
   x = vec4(there, min(min(compensated.r, compensated.g), compensated.b));
   y = vec4(back, 0);)",
                          inputs);

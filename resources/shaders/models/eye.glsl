@@ -45,11 +45,10 @@ Shading shade(Surface s) {
   LayerLight lamps = layerLamps(layer, p, s.position);
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
-  Shading result;
-  result.diffuse = inHalfRange(albedo * (lamps.body + image.body));
-  result.specular = inHalfRange(cavity * (lamps.specular + image.specular));
-  result.alpha = 1.0;
+  vec3 specular = inHalfRange(cavity * (lamps.specular + image.specular));
+  Shading result = plainShading(inHalfRange(lamps.body + image.body), specular, 1.0, normal);
+  result.exit = p.body_out * albedo;
   result.occlusion = ao;
-  result.shading_normal = normal;
+  result.energy = layerEnergy(p, albedo, cavity);
   return result;
 }

@@ -55,12 +55,13 @@ struct LayerPoint {
 #if DERMIS_LOBES == 2
   LobePoint second;
 #endif
-  vec3 body_out;   // (1 − metallic) (1 − E(μ_out))
-  vec3 body_norm;  // body_out / (1 − ⟨E⟩)
+  vec3 body_out;     // (1 − metallic) (1 − E(μ_out))
+  vec3 body_in;      // 1 / (1 − ⟨E⟩)
+  vec3 reflectance;  // of the layer, towards the viewer, of light from all around
 };
 
 struct LayerLight {
-  vec3 body;  // light that the body receives and lets out again, as irradiance/π: times albedo it is radiance
+  vec3 body;  // light that enters the body, as irradiance/π: times albedo and body_out it is radiance
   vec3 specular;
 };
 
@@ -107,7 +108,11 @@ LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
 #endif
   p.body_out = (1.0 - layer.metallic) * (vec3(1.0) - min(albedoOfTerms(layer.body_f0, terms, total), 1.0));
   // Where the layer reflects everything, body_out is 0 as well.
-  p.body_norm = p.body_out / max(vec3(1.0) - albedoOfTerms(layer.body_f0, average, total), 1e-3);
+  p.body_in = vec3(1.0) / max(vec3(1.0) - albedoOfTerms(layer.body_f0, average, total), 1e-3);
+  p.reflectance = p.first.reflectance;
+#if DERMIS_LOBES == 2
+  p.reflectance += p.second.reflectance;
+#endif
   return p;
 }
 
@@ -138,7 +143,7 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position) {
     sum.specular += received * layerSpecular(p, light.to_light, n_dot_l);
     sum.body += received * bodyTransmittance(layer, n_dot_l);
   }
-  sum.body *= kInversePi * p.body_norm;
+  sum.body *= kInversePi * p.body_in;
   return sum;
 }
 
@@ -156,7 +161,13 @@ LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
 #if DERMIS_LOBES == 2
   specular += lobeImage(layer.second, p.second, r, p.n_dot_v, ao);
 #endif
-  return LayerLight(environmentIrradiance(p.normal) * ao * p.body_out, specular * horizonOcclusion(r, vertex_normal));
+  return LayerLight(environmentIrradiance(p.normal) * ao, specular * horizonOcclusion(r, vertex_normal));
+}
+
+// Share of a white environment that layer and body send to the viewer, of the channel that sends most.
+float layerEnergy(LayerPoint p, vec3 albedo, float cavity) {
+  vec3 sent = p.body_out * albedo + p.reflectance * cavity;
+  return max(sent.r, max(sent.g, sent.b));
 }
 
 vec3 inHalfRange(vec3 radiance) { return min(radiance, vec3(kRadianceMax)); }

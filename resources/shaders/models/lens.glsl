@@ -19,13 +19,8 @@ Shading shade(Surface s) {
   LayerLight lamps = layerLamps(layer, p, s.position);
   LayerLight image = layerImage(layer, p, normal, 1.0);
 
-  Shading result;
-  result.diffuse = vec3(0.0);
-  result.specular = inHalfRange(lamps.specular + image.specular);
+  Shading result = plainShading(vec3(0.0), inHalfRange(lamps.specular + image.specular), u_material.lens_opacity, normal);
   // The published blending, source alpha over one minus source alpha, dims the reflection as well.
   if (u_material.lens_seed_blending != 0) result.specular *= u_material.lens_opacity;
-  result.alpha = u_material.lens_opacity;
-  result.occlusion = 1.0;
-  result.shading_normal = normal;
   return result;
 }

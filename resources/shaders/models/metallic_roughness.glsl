@@ -35,11 +35,10 @@ Shading shade(Surface s) {
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
   // glTF's alpha is coverage: it thins the whole surface, its reflections too.
-  Shading result;
-  result.diffuse = inHalfRange(alpha * albedo * (lamps.body + image.body));
-  result.specular = inHalfRange(alpha * (lamps.specular + image.specular + emission));
-  result.alpha = alpha;
+  vec3 specular = inHalfRange(alpha * (lamps.specular + image.specular + emission));
+  Shading result = plainShading(inHalfRange(alpha * (lamps.body + image.body)), specular, alpha, normal);
+  result.exit = p.body_out * albedo;
   result.occlusion = ao;
-  result.shading_normal = normal;
+  result.energy = layerEnergy(p, albedo, 1.0);
   return result;
 }

@@ -41,13 +41,7 @@ Shading shade(Surface s) {
   vec3 light = environmentPrefiltered(l, u_material.specular_perceptual_roughness);
   vec3 d = pow(max(light, 0.0), vec3(1.0 / 2.2));
 
-  Shading result;
-  result.diffuse = vec3(0.0);
   // At the silhouette (n·l)² goes to 0: what no half float holds is clamped, black stays black.
   vec3 colour = (1.0 - intensity) * d + f * g * d / max(4.0 * n_dot_l * n_dot_l, 1e-12);
-  result.specular = min(colour, vec3(kHalfMax));
-  result.alpha = 1.0;
-  result.occlusion = 1.0;
-  result.shading_normal = n;
-  return result;
+  return plainShading(vec3(0.0), min(colour, vec3(kHalfMax)), 1.0, n);
 }

@@ -9,11 +9,6 @@ Shading shade(Surface s) {
   vec3 normal = facingNormal(s);
   vec3 mirrored = environmentSharp(reflect(-s.view, normal));
 
-  Shading result;
-  result.diffuse = vec3(0.0);
-  result.specular = min(pow(max(mirrored, 0.0), vec3(1.0 / 2.2)), vec3(kHalfMax));
-  result.alpha = 1.0;
-  result.occlusion = 1.0;
-  result.shading_normal = normal;
-  return result;
+  vec3 colour = min(pow(max(mirrored, 0.0), vec3(1.0 / 2.2)), vec3(kHalfMax));
+  return plainShading(vec3(0.0), colour, 1.0, normal);
 }

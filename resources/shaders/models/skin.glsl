@@ -1,4 +1,4 @@
-// Skin: two specular lobes over a body that scatters. The body's light leaves where it entered (Lambert).
+// Skin: two specular lobes over a body that scatters: light that enters spreads before it leaves (subsurface_pass).
 #define DERMIS_LOBES 2
 #include "generated/material_block.glsl"
 #include "material_maps.glsl"
@@ -26,8 +26,17 @@ Shading shade(Surface s) {
   LayerLight lamps = layerLamps(layer, p, s.position);
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
+  // albedo^m goes in, albedo^(1 − m) comes out: m = 0 keeps texture detail sharp (d'Eon & Luebke 2007, GPU Gems 3, section 14.4).
+  vec3 safe_albedo = max(albedo, vec3(1e-5));
+  vec3 inwards = pow(safe_albedo, vec3(u_material.subsurface_albedo_mix));
+
   Shading result;
-  result.diffuse = inHalfRange(albedo * (lamps.body + image.body));
+  result.entering = inHalfRange(inwards * (lamps.body + image.body));
+  result.exit = p.body_out * (safe_albedo / inwards);
+  result.subsurface = clamp(u_material.subsurface_weight * scalarMap(u_map_subsurface, kMapSubsurface, s.uv), 0.0, 1.0);
+  result.transmission = vec3(0.0);
+  result.thickness_mm = 0.0;
+  result.energy = layerEnergy(p, albedo, cavity);
   // Pores and creases swallow reflections; what they swallow is not diffused either.
   result.specular = inHalfRange(cavity * (lamps.specular + image.specular));
   result.alpha = 1.0;

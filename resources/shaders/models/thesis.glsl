@@ -70,11 +70,7 @@ Shading shade(Surface s) {
   diffuse += p.ao * kd * p.albedo * environmentIrradiance(p.normal);
   specular += p.ao * (f * dfg.x + dfg.y) * environmentPrefiltered(r, p.roughness);
 
-  Shading result;
-  result.diffuse = min(diffuse, vec3(kRadianceMax));
-  result.specular = min(specular, vec3(kRadianceMax));
-  result.alpha = 1.0;
+  Shading result = plainShading(min(diffuse, vec3(kRadianceMax)), min(specular, vec3(kRadianceMax)), 1.0, p.normal);
   result.occlusion = p.ao;
-  result.shading_normal = p.normal;
   return result;
 }
