@@ -105,13 +105,12 @@ TEST(DiffusionProfile, LineAndEdge) {
         const double distance = std::abs(x);
         const double beyond =
             integral([&](double r) { return 2.0 * r * test.density(c, r) * std::acos(distance / r); }, distance, 60.0);
-      }, std::abs(x), 60.0);
-      const double edge = test.profile.edgeSpread(x)[c];
-      EXPECT_NEAR(edge, x > 0.0 ? 1.0 - beyond : beyond, 2e-5) << test.name << c << " at " << x;
-      EXPECT_GE(edge, last);
-      last = edge;
+        const double edge = test.profile.edgeSpread(x)[c];
+        EXPECT_NEAR(edge, x > 0.0 ? 1.0 - beyond : beyond, 2e-5) << test.name << c << " at " << x;
+        EXPECT_GE(edge, last);
+        last = edge;
+      }
     }
-}
 }
 
 // The published six Gaussians (d'Eon & Luebke 2007), ½ Σ w (1 + erf(x/√2v)) evaluated apart from this program.
