@@ -204,7 +204,8 @@ void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statis
   }
   m_frameBlockBuffer.bindUniform(kFrameBinding);
   const FrameRequest& request = frame.request;
-  const SampleBlock sample = packSample(request.moving ? 0 : m_samples, request.moving, request.withoutSubsurface);
+  const SampleBlock sample =
+      packSample(request.moving ? 0 : m_samples, m_targetSamples, request.moving, request.withoutSubsurface);
   m_sampleBlockBuffer.update(0, bytesOf(sample));
   m_sampleBlockBuffer.bindUniform(kSampleBinding);
 }

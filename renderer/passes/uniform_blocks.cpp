@@ -49,11 +49,11 @@ void packLights(FrameBlock& block, std::span<const Light> lights, float millimet
   block.lightCount = {count, 0, 0, 0};
 }
 
-SampleBlock packSample(int index, bool moving, bool withoutSubsurface) {
+SampleBlock packSample(int index, int targetSamples, bool moving, bool withoutSubsurface) {
   // Powers of 1/g, with g⁵ = g + 1.
   constexpr double kG = 1.1673039782614187;
   SampleBlock block;
-  block.sampling = {index, moving ? 1 : 0, withoutSubsurface ? 1 : 0, 0};
+  block.sampling = {index, moving ? 1 : 0, withoutSubsurface ? 1 : 0, moving ? 1 : targetSamples};
   double step = 1.0;
   for (int i = 0; i < 4; ++i) {
     step /= kG;

@@ -57,7 +57,7 @@ template <class Block>
 
 /// What sample `index` of a still picture is drawn with, or a moving picture's only one: four numbers of the R4
 /// sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences").
-[[nodiscard]] SampleBlock packSample(int index, bool moving, bool withoutSubsurface);
+[[nodiscard]] SampleBlock packSample(int index, int targetSamples, bool moving, bool withoutSubsurface);
 
 /// Where a lamp is at `seconds`: sway moves it along x by amplitude · sin(speed · t), as the published code does; orbit
 /// turns it about the world's y axis at `speed` radians a second, its distance from the axis multiplied by the

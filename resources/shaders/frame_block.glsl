@@ -24,6 +24,7 @@ layout(std140, binding = 0) uniform FrameBlock {
 
 // What differs from one accumulated sample to the next. C++ twin: SampleBlock.
 layout(std140, binding = 5) uniform SampleBlock {
-  ivec4 u_sampling;  // x index of the accumulated sample, y 1 while moving, z 1 where the view switches subsurface off
+  ivec4 u_sampling;  // x index of the accumulated sample, y 1 while moving, z 1 where the view switches subsurface off,
+                     // w samples that the picture will have
   vec4 u_random;     // four numbers in 0..1, evenly spread over the samples
 };

@@ -37,21 +37,21 @@ std::shared_ptr<const EnvironmentImages> constantEnvironment(const glm::vec3& ra
   return environment;
 }
 
-std::shared_ptr<const EnvironmentImages> linearEnvironment(const glm::vec3& base, const glm::vec3& x,
-                                                           const glm::vec3& y, const glm::vec3& z) {
+std::shared_ptr<const EnvironmentImages> environmentOf(
+    const std::function<glm::vec3(const dvec3& direction)>& radianceTowards) {
   auto image = std::make_shared<Image>();
   image->width = 512;
   image->height = 256;
   image->channels = 3;
   image->type = PixelType::Float;
-  image->name = "linear";
+  image->name = "made";
   std::vector<float> values;
   for (int j = 0; j < image->height; ++j)
     for (int i = 0; i < image->width; ++i) {
       const double phi = ((i + 0.5) / image->width - 0.5) * 2.0 * std::numbers::pi;
       const double theta = (j + 0.5) / image->height * std::numbers::pi;
-      const glm::vec3 d(std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi));
-      const glm::vec3 radiance = base + x * d.x + y * d.y + z * d.z;
+      const glm::vec3 radiance =
+          radianceTowards({std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)});
       values.insert(values.end(), {radiance.x, radiance.y, radiance.z});
     }
   image->pixels.resize(values.size() * sizeof(float));
@@ -59,8 +59,16 @@ std::shared_ptr<const EnvironmentImages> linearEnvironment(const glm::vec3& base
   auto environment = std::make_shared<EnvironmentImages>();
   environment->latLong = image;
   environment->contentHash = nextHash();
-  environment->name = "linear";
+  environment->name = "made";
   return environment;
+}
+
+std::shared_ptr<const EnvironmentImages> linearEnvironment(const glm::vec3& base, const glm::vec3& x,
+                                                           const glm::vec3& y, const glm::vec3& z) {
+  return environmentOf([&](const dvec3& d) {
+    const glm::vec3 f(d);
+    return base + x * f.x + y * f.y + z * f.z;
+  });
 }
 
 Camera perspectiveCamera() {
@@ -100,16 +108,14 @@ Picture SphereTest::render(const Look& look, Aov aov) {
   request.size = {look.size, look.size};
   request.camera = look.camera;
   request.view.transform = "Raw";
-  request.targetSamples = 1;
+  request.targetSamples = look.samples;
   request.exactDisplay = true;
   auto finished = renderer->finishJobs();
   EXPECT_TRUE(finished.has_value()) << finished.error().message;
   EXPECT_TRUE(renderer->renderFrame(request));
   finished = renderer->finishJobs();
   EXPECT_TRUE(finished.has_value()) << finished.error().message;
-  if (renderer->accumulating()) {
-    EXPECT_TRUE(renderer->renderFrame(request));
-  }
+  for (int i = 0; i < look.samples && renderer->accumulating(); ++i) EXPECT_TRUE(renderer->renderFrame(request));
   for (const std::string& message : renderer->takeMessages()) ADD_FAILURE() << message;
 
   const Image image = renderer->readAov(aov);

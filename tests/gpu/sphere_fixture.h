@@ -1,5 +1,4 @@
-// Renders the built-in sphere or plane through the whole Renderer, one sample at the pixel's centre, and compares it
-// pixel by pixel with a reference.
+// Renders the built-in sphere or plane through the whole Renderer and compares it pixel by pixel with a reference.
 #pragma once
 
 #include <functional>
@@ -25,6 +24,7 @@ struct Look {
   Camera camera;
   int size = 96;
   bool plane = false;
+  int samples = 1;  ///< one is at the pixels' centres, more are spread over them
 };
 
 /// The picture's linear values, top row first.
@@ -41,6 +41,10 @@ struct Picture {
 /// Radiance base + x·d.x + y·d.y + z·d.z as a lat-long image: reference::linearSurroundings for the renderer.
 [[nodiscard]] std::shared_ptr<const EnvironmentImages> linearEnvironment(const glm::vec3& base, const glm::vec3& x,
                                                                          const glm::vec3& y, const glm::vec3& z);
+
+/// The same of any function of the direction.
+[[nodiscard]] std::shared_ptr<const EnvironmentImages> environmentOf(
+    const std::function<glm::vec3(const dvec3& direction)>& radiance);
 
 [[nodiscard]] Camera perspectiveCamera();
 [[nodiscard]] Camera orthographicCamera();

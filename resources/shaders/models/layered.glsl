@@ -12,6 +12,7 @@
 #include "frame_block.glsl"
 #include "lighting/dfg.glsl"
 #include "lighting/environment.glsl"
+#include "lighting/lobe_sampling.glsl"
 #include "lights.glsl"
 #include "surface_types.glsl"
 
@@ -147,19 +148,24 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position) {
   return sum;
 }
 
-vec3 lobeImage(Lobe lobe, LobePoint point, vec3 reflected, float n_dot_v, float ao) {
+// Split sum (Karis 2013), one prefiltered look-up; corrected by sampling where the picture is an average (lobe_sampling.glsl).
+vec3 lobeImage(Lobe lobe, LobePoint point, LayerPoint p, vec3 reflected, float ao, vec2 random) {
   float alpha = lobe.perceptual_roughness * lobe.perceptual_roughness;
-  return specularOcclusion(n_dot_v, ao, alpha) * point.reflectance *
-         environmentPrefiltered(reflected, lobe.perceptual_roughness);
+  vec3 mean = environmentPrefiltered(reflected, lobe.perceptual_roughness);
+  vec3 sum = point.reflectance * mean;
+  for (int i = 0; i < lobeSamples(); ++i)
+    sum += lobeCorrection(p.normal, p.view, p.n_dot_v, lobe.perceptual_roughness, point.at_normal, point.at_grazing, point.root_v,
+                          mean, lobeRandom(random));
+  return specularOcclusion(p.n_dot_v, ao, alpha) * sum;
 }
 
-// The environment: split sum (Karis 2013), one prefiltered look-up a lobe. `ao` dims the body's light, and the reflections as far as
+// The environment. `ao` dims the body's light, and the reflections as far as
 // they come from where it says that something is in the way.
 LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
   vec3 r = reflect(-p.view, p.normal);
-  vec3 specular = lobeImage(layer.first, p.first, r, p.n_dot_v, ao);
+  vec3 specular = lobeImage(layer.first, p.first, p, r, ao, u_random.xy);
 #if DERMIS_LOBES == 2
-  specular += lobeImage(layer.second, p.second, r, p.n_dot_v, ao);
+  specular += lobeImage(layer.second, p.second, p, r, ao, u_random.zw);
 #endif
   return LayerLight(environmentIrradiance(p.normal) * ao, specular * horizonOcclusion(r, vertex_normal));
 }
