@@ -14,6 +14,7 @@
 #include "ui/rows/scalar_editor.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
+#include "ui/viewport/view_modes.h"
 
 namespace dermis {
 
@@ -106,11 +107,9 @@ void CameraPanel::buildDisplay() {
   m_aov = new QuietComboBox(group);
   m_aov->setObjectName(QStringLiteral("view.aov"));
   m_aov->setAccessibleName(tr("Image shown"));
-  for (const Aov aov : allAovs()) {
-    QString name = text(toString(aov));
-    name.replace(QLatin1Char('_'), QLatin1Char(' '));
-    name[0] = name[0].toUpper();
-    m_aov->addItem(aov == Aov::Beauty ? tr("Final picture") : name, static_cast<int>(aov));
+  for (const ViewMode& mode : viewModes()) {
+    m_aov->addItem(mode.label, static_cast<int>(mode.aov));
+    m_aov->setItemData(m_aov->count() - 1, mode.help, Qt::ToolTipRole);
   }
   group->addRow(labelled(tr("Show"), m_aov, group));
 

@@ -69,6 +69,7 @@ class MainWindow : public QMainWindow {
   void buildFileMenu();
   void buildEditMenu();
   void buildViewMenu();
+  void buildViewModes(QMenu* menu);
   void buildLightMenu();
   void buildRenderMenu();
   void buildWindowMenu();

@@ -14,6 +14,8 @@
 #include "ui/main_window/main_window.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
+#include "ui/viewport/hold_key.h"
+#include "ui/viewport/view_modes.h"
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
@@ -95,32 +97,40 @@ void MainWindow::buildViewMenu() {
         [this, id] { m_viewport->showNamedView(id); });
   }
   menu->addSeparator();
-  QMenu* images = menu->addMenu(tr("&Show"));
-  auto* group = new QActionGroup(this);
-  for (const Aov aov : allAovs()) {
-    QString name = text(toString(aov));
-    name.replace(QLatin1Char('_'), QLatin1Char(' '));
-    name[0] = name[0].toUpper();
-    QAction* action = add(images, nullptr, aov == Aov::Beauty ? tr("Final picture") : name, {}, this,
-                          [this, aov] { m_viewport->setAov(aov); });
-    action->setCheckable(true);
-    action->setChecked(aov == Aov::Beauty);
-    action->setData(static_cast<int>(aov));
-    group->addAction(action);
-  }
-  connect(m_viewport, &Viewport::aovChanged, group, [group](Aov aov) {
-    for (QAction* action : group->actions()) action->setChecked(action->data().toInt() == static_cast<int>(aov));
-  });
-  add(menu, nullptr, tr("&Next image"), QKeySequence(Qt::Key_B), this, [this] {
-    const std::vector<Aov> all = allAovs();
-    const auto next = (static_cast<std::size_t>(m_viewport->aov()) + 1) % all.size();
-    m_viewport->setAov(all[next]);
-  });
+  buildViewModes(menu);
   menu->addSeparator();
   QAction* statistics =
       add(menu, nullptr, tr("S&tatistics"), {}, this, [this](bool on) { m_viewport->setStatisticsVisible(on); });
   statistics->setCheckable(true);
   statistics->setChecked(true);
+}
+
+void MainWindow::buildViewModes(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  for (const ViewMode& mode : viewModes()) {
+    QAction* action = add(menu, nullptr, mode.label, {}, this, [this, aov = mode.aov] { m_viewport->setAov(aov); });
+    action->setObjectName(QStringLiteral("view.show.") + text(toString(mode.aov)));
+    action->setStatusTip(mode.help);
+    action->setCheckable(true);
+    action->setChecked(mode.aov == m_viewport->aov());
+    action->setData(static_cast<int>(mode.aov));
+    group->addAction(action);
+  }
+  connect(m_viewport, &Viewport::aovChanged, group, [group](Aov aov) {
+    for (QAction* action : group->actions()) action->setChecked(action->data().toInt() == static_cast<int>(aov));
+  });
+  menu->addSeparator();
+  const auto step = [this](int steps) { m_viewport->setAov(nextView(m_viewport->aov(), steps)); };
+  add(menu, nullptr, tr("&Next of these"), QKeySequence(Qt::Key_B), this, [step] { step(1); });
+  add(menu, nullptr, tr("Pre&vious of these"), QKeySequence(Qt::SHIFT | Qt::Key_B), this, [step] { step(-1); });
+  // The key shows it while it is held; the entry keeps it, for hands that can't hold one.
+  QAction* without = add(menu, nullptr, tr("&Without subsurface") + QLatin1Char('\t') + tr("hold N"), {}, this,
+                         [this](bool on) { m_viewport->setWithoutSubsurface(on); });
+  without->setObjectName(QStringLiteral("view.withoutSubsurface"));
+  without->setCheckable(true);
+  auto* hold = new HoldKey(Qt::Key_N, *this);
+  connect(hold, &HoldKey::held, this,
+          [this, without](bool down) { m_viewport->setWithoutSubsurface(down != without->isChecked()); });
 }
 
 void MainWindow::buildLightMenu() {
@@ -178,7 +188,8 @@ void MainWindow::buildHelpMenu() {
                                 "<tr><td><b>Double-click</b></td><td>look at that point</td></tr>"
                                 "<tr><td><b>F</b></td><td>frame the model</td></tr>"
                                 "<tr><td><b>1 2 3 4</b></td><td>the four published views</td></tr>"
-                                "<tr><td><b>B</b></td><td>next image of the frame</td></tr>"
+                                "<tr><td><b>B, Shift + B</b></td><td>next view of the frame, previous</td></tr>"
+                                "<tr><td><b>N held</b></td><td>without subsurface</td></tr>"
                                 "<tr><td><b>Ctrl + Tab</b></td><td>hide or show the panels</td></tr>"
                                 "<tr><td><b>Slider: Shift, Ctrl</b></td><td>fine, snap</td></tr>"
                                 "<tr><td><b>Double-click a label</b></td><td>reset to default</td></tr></table>"));

@@ -10,8 +10,10 @@
 #include "core/scene/cameras.h"
 #include "ui/document/document.h"
 #include "ui/text.h"
+#include "ui/viewport/legend.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/view_modes.h"
 
 namespace dermis {
 namespace {
@@ -31,6 +33,10 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   m_statistics = new OverlayLabel(this);
   m_statistics->setObjectName(QStringLiteral("viewport.statistics"));
   m_statistics->setAccessibleName(tr("Statistics"));
+  m_viewName = new OverlayLabel(this);
+  m_viewName->setObjectName(QStringLiteral("viewport.viewName"));
+  m_viewName->hide();
+  m_legend = new Legend(this);
   m_scaleBar = new ScaleBar(this);
   m_problem = new QLabel(this);
   m_problem->setObjectName(QStringLiteral("viewport.problem"));
@@ -55,6 +61,7 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   connect(&m_fly, &QTimer::timeout, this, &Viewport::flyStep);
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if (what != Change::Everything) moving();
+    refreshLegend();
     update();
   });
   connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
@@ -130,6 +137,7 @@ void Viewport::drawFrame() {
   request.camera = m_document.camera();
   request.view = m_document.scene().view;
   request.aov = m_aov;
+  request.withoutSubsurface = m_withoutSubsurface;
   request.moving = m_moving;
   request.targetSamples = animated() ? 1 : m_targetSamples;
   request.seconds = static_cast<double>(m_clock.elapsed()) * 1e-3;
@@ -206,8 +214,35 @@ void Viewport::still() {
 void Viewport::setAov(Aov aov) {
   if (aov == m_aov) return;
   m_aov = aov;
+  refreshViewName();
   Q_EMIT aovChanged(aov);
   update();
+}
+
+void Viewport::setWithoutSubsurface(bool without) {
+  if (without == m_withoutSubsurface) return;
+  m_withoutSubsurface = without;
+  refreshViewName();
+  Q_EMIT withoutSubsurfaceChanged(without);
+  update();
+}
+
+void Viewport::refreshViewName() {
+  QStringList words;
+  if (m_aov != Aov::Beauty) words << viewMode(m_aov).label;
+  if (m_withoutSubsurface) words << tr("without subsurface");
+  m_viewName->setText(words.join(QStringLiteral(" · ")));
+  m_viewName->setAccessibleName(words.isEmpty() ? QString() : tr("Shown: %1").arg(words.join(QStringLiteral(", "))));
+  m_viewName->setVisible(!words.isEmpty());
+  refreshLegend();
+  placeOverlays();
+}
+
+void Viewport::refreshLegend() {
+  const std::shared_ptr<const ResolvedScene> scene = m_aov == Aov::Beauty ? nullptr : m_document.snapshot();
+  const auto range = scene ? valueRange(m_aov, *scene, m_document.camera()) : std::nullopt;
+  m_legend->setVisible(range.has_value());
+  if (range) m_legend->showRange(viewMode(m_aov).label, *range);
 }
 
 void Viewport::setTargetSamples(int samples) {
@@ -262,6 +297,9 @@ void Viewport::placeOverlays() {
   m_statistics->adjustSize();
   m_statistics->move(width() - m_statistics->width() - kEdge, height() - m_statistics->height() - kEdge);
   m_scaleBar->move(kEdge + 4, height() - m_scaleBar->height() - kEdge);
+  m_viewName->adjustSize();
+  m_viewName->move(kEdge, kEdge);
+  m_legend->move(width() - m_legend->width() - kEdge, kEdge);
   m_problem->setGeometry(rect());
 }
 

@@ -18,6 +18,7 @@ class QLabel;
 namespace dermis {
 
 class Document;
+class Legend;
 class OverlayLabel;
 class ScaleBar;
 
@@ -31,6 +32,9 @@ class Viewport : public QOpenGLWidget {
   void showNamedView(const QString& name);
   void setAov(Aov aov);
   [[nodiscard]] Aov aov() const { return m_aov; }
+  /// Draws the picture as if no light spread below a surface.
+  void setWithoutSubsurface(bool without);
+  [[nodiscard]] bool withoutSubsurface() const { return m_withoutSubsurface; }
   void setTargetSamples(int samples);
   void setStatisticsVisible(bool visible);
   void cancelJobs();
@@ -44,6 +48,7 @@ class Viewport : public QOpenGLWidget {
   void message(dermis::MessageKind kind, const QString& sentence);
   void jobProgress(const QString& what, double fraction);
   void aovChanged(dermis::Aov aov);
+  void withoutSubsurfaceChanged(bool without);
 
  protected:
   void initializeGL() override;
@@ -71,6 +76,9 @@ class Viewport : public QOpenGLWidget {
   void moveCamera(const Camera& camera);
   void flyStep();
   void placeOverlays();
+  /// The view's name and, where its colours are numbers, their legend.
+  void refreshViewName();
+  void refreshLegend();
   void refreshStatistics(double milliseconds);
   void showProblem(const QString& sentence);
   [[nodiscard]] bool animated() const;
@@ -79,6 +87,7 @@ class Viewport : public QOpenGLWidget {
   std::unique_ptr<Renderer> m_renderer;
   std::shared_ptr<const ResolvedScene> m_drawn;  ///< what the renderer was given last
   Aov m_aov = Aov::Beauty;
+  bool m_withoutSubsurface = false;
   int m_targetSamples = 64;
   bool m_jobsLeft = false;
   bool m_firstFrame = true;  ///< nothing has been shown yet: wait for programs and environment
@@ -99,6 +108,8 @@ class Viewport : public QOpenGLWidget {
   QPointF m_last;
   QSet<int> m_flyKeys;
   OverlayLabel* m_statistics = nullptr;
+  OverlayLabel* m_viewName = nullptr;
+  Legend* m_legend = nullptr;
   ScaleBar* m_scaleBar = nullptr;
   QLabel* m_problem = nullptr;
 };
