@@ -82,7 +82,7 @@ std::map<std::string, std::string> metadataOf(const ResolvedScene& scene, const 
   read(scene.scene.environment.path);
   for (const ResolvedMaterial& slot : scene.slots)
     for (const TextureBinding& texture : slot.material.textures) read(texture.path);
-  return cli::pictureMetadata(look, {request.size, request.samples, scene.scene.view.transform, glRenderer});
+  return cli::pictureMetadata(look, {request.size, request.samples, scene.scene.view.transform, glRenderer, {}});
 }
 
 }  // namespace

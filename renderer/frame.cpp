@@ -239,10 +239,8 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);
 
   if (isData(request.aov)) {
-    const Bounds& bounds = frame.scene.model->bounds;
-    const float middle = glm::dot(bounds.centre() - frame.camera.position, frame.camera.forward);
-    DisplayPass::drawData(frame, request.aov, image, weight, {middle - bounds.radius(), middle + bounds.radius()},
-                          size);
+    DisplayPass::drawData(m_shaders, m_messages, request.aov, valueRange(request.aov, frame.scene, request.camera),
+                          image, weight, size);
     return;
   }
   DisplayInput input;
@@ -269,10 +267,11 @@ Image Frame::readAov(Aov aov) const {
   return aovFromSums(aov, m_targets.sum(which), m_samples);
 }
 
-Image Frame::readDisplay(const ViewSettings& view, PixelType type) {
+Image Frame::readView(Aov aov, const ResolvedScene* scene, const ViewSettings& view, PixelType type) {
   const glm::ivec2 size = glm::max(m_targets.size(), glm::ivec2(1));
   const bool wide = type != PixelType::U8;
-  if (m_samples == 0 || !m_targets.sum(SceneImage::Beauty)) return blackDisplay(size, wide);
+  const SceneImage which = sceneImageOf(aov);
+  if (m_samples == 0 || scene == nullptr || !m_targets.summed(which)) return blackDisplay(size, wide);
   const gl::Texture target = gl::Texture::create({.format = wide ? GLenum{GL_RGBA16} : GLenum{GL_RGBA8},
                                                   .width = size.x,
                                                   .height = size.y,
@@ -282,12 +281,18 @@ Image Frame::readDisplay(const ViewSettings& view, PixelType type) {
   framebuffer.drawTo(1);
   framebuffer.bind();
   m_noVertices.bind();
-  DisplayInput input;
-  input.image = &m_targets.sum(SceneImage::Beauty);
-  input.weight = 1.0F / static_cast<float>(m_samples);
-  input.exact = true;
-  input.straightAlpha = true;
-  m_display.draw(m_shaders, m_messages, view, input, size);
+  const gl::Texture& sums = m_targets.sum(which);
+  const float weight = 1.0F / static_cast<float>(m_samples);
+  if (isData(aov)) {
+    DisplayPass::drawData(m_shaders, m_messages, aov, valueRange(aov, *scene, m_stillKey.camera), sums, weight, size);
+  } else {
+    DisplayInput input;
+    input.image = &sums;
+    input.weight = weight;
+    input.exact = true;
+    input.straightAlpha = true;
+    m_display.draw(m_shaders, m_messages, view, input, size);
+  }
   Image image = displayFromTexture(target, wide);
   restoreDefaults(0);
   return image;

@@ -29,7 +29,7 @@ class Frame {
   void keep(SceneImages images) { m_kept = images | kBeautyOnly; }
 
   [[nodiscard]] Image readAov(Aov aov) const;
-  [[nodiscard]] Image readDisplay(const ViewSettings& view, PixelType type);
+  [[nodiscard]] Image readView(Aov aov, const ResolvedScene* scene, const ViewSettings& view, PixelType type);
   [[nodiscard]] std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) const;
   [[nodiscard]] std::vector<PassTime> passTimes();
   [[nodiscard]] std::uint64_t displayProgramsBuilt() const { return m_display.built(); }

@@ -92,7 +92,10 @@ class GlRenderer final : public Renderer {
     m_frame.keep(images);
     queuePrograms(images != kBeautyOnly);
   }
-  Image readDisplay(const ViewSettings& view, PixelType type) override { return m_frame.readDisplay(view, type); }
+  Image readDisplay(const ViewSettings& view, PixelType type) override { return readView(Aov::Beauty, view, type); }
+  Image readView(Aov aov, const ViewSettings& view, PixelType type) override {
+    return m_frame.readView(aov, m_resources.scene(), view, type);
+  }
   std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) override { return m_frame.pickPosition(pixel); }
 
   const GlInfo& glInfo() const override { return m_info; }

@@ -112,6 +112,9 @@ class Renderer {
   virtual void keepAovs(const std::vector<Aov>& aovs) = 0;
   /// The accumulated beauty through the request's view, U8 or U16 RGBA, alpha unassociated, top row first.
   [[nodiscard]] virtual Image readDisplay(const ViewSettings& view, PixelType type) = 0;
+  /// The same for any image that is kept, as the window shows it: radiance through the view, numbers as false colours
+  /// (valueRange in colour/false_colour.h says what they stand for).
+  [[nodiscard]] virtual Image readView(Aov aov, const ViewSettings& view, PixelType type) = 0;
 
   /// World position under a pixel (counted from the top left) of the last frame; nothing where there is only sky.
   [[nodiscard]] virtual std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) = 0;

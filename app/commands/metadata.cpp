@@ -46,6 +46,7 @@ std::map<std::string, std::string> pictureMetadata(const Look& look, const Pictu
   json["size"] = {facts.size.x, facts.size.y};
   json["samples"] = facts.samples;
   json["view"] = facts.view;
+  if (!facts.aov.empty()) json["aov"] = facts.aov;
   Json inputs = Json::array();
   for (const fs::path& input : look.inputs) {
     const Result<std::uint64_t> hash = contentHashOfFile(input);

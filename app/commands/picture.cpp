@@ -12,6 +12,8 @@
 namespace dermis::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 bool isRaw(const Look& look) { return look.resolved.scene.view.transform == "Raw"; }
 
 std::vector<std::string> channelNames(const Image& image) {
@@ -55,6 +57,21 @@ Image asPremultipliedFloat(const Image& image) {
   return out;
 }
 
+Outcome<void> writeLayers(const fs::path& file, const std::vector<ImageLayer>& layers,
+                          const ImageWriteOptions& options) {
+  // PNG is written here: the import module would cost more to load than the whole picture.
+  if (extensionOf(file) == ".png") {
+    const Result<void> written = writePng(file, layers.front().image, options.metadata);
+    if (!written) return failure(written.error());
+    return {};
+  }
+  const Result<const Importer*> module = importer();
+  if (!module) return failure(module.error());
+  const Result<void> written = (*module)->writeImage(file, layers, options);
+  if (!written) return failure(written.error());
+  return {};
+}
+
 }  // namespace
 
 Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& look, const PictureRequest& request,
@@ -83,14 +100,18 @@ Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& lo
 
   std::vector<ImageLayer> layers;
   const std::string extension = extensionOf(request.output);
+  const bool exr = extension == ".exr";
+  const auto shown = [&](Aov aov) {
+    const bool sixteen = extension == ".tif" || extension == ".tiff";
+    return withoutAlpha(renderer.readView(aov, frame.view, sixteen ? PixelType::U16 : PixelType::U8),
+                        extension.starts_with(".jp"));
+  };
   ImageLayer beauty;
-  if (extension == ".exr") {
+  if (exr) {
     beauty.image = isRaw(look) ? renderer.readAov(Aov::Beauty)
                                : asPremultipliedFloat(renderer.readDisplay(frame.view, PixelType::U16));
   } else {
-    const bool sixteen = extension == ".tif" || extension == ".tiff";
-    beauty.image = renderer.readDisplay(frame.view, sixteen ? PixelType::U16 : PixelType::U8);
-    beauty.image = withoutAlpha(beauty.image, extension.starts_with(".jp"));
+    beauty.image = shown(Aov::Beauty);
   }
   beauty.channels = channelNames(beauty.image);
   layers.push_back(std::move(beauty));
@@ -98,29 +119,35 @@ Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& lo
     if (aov == Aov::Beauty) continue;
     ImageLayer layer;
     layer.name = toString(aov);
-    layer.image = renderer.readAov(aov);
+    layer.image = exr ? renderer.readAov(aov) : shown(aov);
     layer.channels = layer.image.channels == 1 ? std::vector<std::string>{"R"} : channelNames(layer.image);
     layers.push_back(std::move(layer));
   }
   return layers;
 }
 
+fs::path aovFile(const fs::path& output, std::string_view aov) {
+  fs::path file = output;
+  return file.replace_extension("." + std::string(aov) + output.extension().string());
+}
+
 Outcome<void> writePicture(Renderer& renderer, const Look& look, const PictureRequest& request,
                            std::vector<ImageLayer> layers) {
-  ImageWriteOptions options;
-  if (request.metadata)
-    options.metadata = pictureMetadata(
-        look, {request.size, request.samples, look.resolved.scene.view.transform, renderer.glInfo().renderer});
-  // PNG is written here: the import module would cost more to load than the whole picture.
-  if (extensionOf(request.output) == ".png") {
-    const Result<void> written = writePng(request.output, layers.front().image, options.metadata);
-    if (!written) return failure(written.error());
-    return {};
+  const auto optionsFor = [&](const std::string& aov) {
+    ImageWriteOptions options;
+    if (request.metadata)
+      options.metadata = pictureMetadata(
+          look, {request.size, request.samples, look.resolved.scene.view.transform, renderer.glInfo().renderer, aov});
+    return options;
+  };
+  const std::string extension = extensionOf(request.output);
+  if (extension == ".exr") return writeLayers(request.output, layers, optionsFor({}));
+  for (ImageLayer& layer : layers) {
+    const ImageWriteOptions options = optionsFor(layer.name);
+    const fs::path file = layer.name.empty() ? request.output : aovFile(request.output, layer.name);
+    layer.name.clear();
+    if (const auto written = writeLayers(file, {std::move(layer)}, options); !written) return written;
   }
-  const Result<const Importer*> module = importer();
-  if (!module) return failure(module.error());
-  const Result<void> written = (*module)->writeImage(request.output, layers, options);
-  if (!written) return failure(written.error());
   return {};
 }
 

@@ -17,7 +17,7 @@ struct PictureRequest {
   std::filesystem::path output;
   glm::ivec2 size{1280, 720};
   int samples = 64;
-  std::vector<Aov> aovs;  ///< layers beside the beauty; EXR only
+  std::vector<Aov> aovs;  ///< besides the beauty: layers of an EXR, else files of their own
   bool metadata = true;
 };
 
@@ -29,6 +29,9 @@ inline constexpr std::array<std::string_view, 6> kPictureExtensions = {".png", "
 /// file an EXR.
 [[nodiscard]] Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& look,
                                                             const PictureRequest& request, ProgressLine& progress);
+/// Where the picture of an AOV goes beside an output that holds no layers: face.png → face.thickness.png.
+[[nodiscard]] std::filesystem::path aovFile(const std::filesystem::path& output, std::string_view aov);
+/// Writes the layers: an EXR with all of them, or the picture and a file for each AOV.
 [[nodiscard]] Outcome<void> writePicture(Renderer& renderer, const Look& look, const PictureRequest& request,
                                          std::vector<ImageLayer> layers);
 

@@ -6,6 +6,7 @@
 
 #include "app/commands/commands.h"
 #include "app/commands/picture.h"
+#include "colour/false_colour.h"
 #include "core/base/json_fields.h"
 
 namespace dermis::cli {
@@ -26,13 +27,16 @@ void printGlInfo(const GlInfo& info) {
              info.renderer, info.version, info.software ? "yes" : "no");
 }
 
+std::vector<std::string> aovNames() {
+  std::vector<std::string> names;
+  for (const Aov aov : allAovs()) names.emplace_back(toString(aov));
+  return names;
+}
+
 Outcome<Aov> aovNamed(const std::string& name) {
-  std::vector<std::string> known;
-  for (const Aov aov : allAovs()) {
+  for (const Aov aov : allAovs())
     if (lowerCase(name) == toString(aov)) return aov;
-    known.emplace_back(toString(aov));
-  }
-  return wrongUsage(fmt::format("--aov: there is no AOV \"{}\"; choose {}", name, listed(known)));
+  return wrongUsage(fmt::format("--aov: there is no AOV \"{}\"; choose {}", name, listed(aovNames())));
 }
 
 Outcome<int> render(const RenderOptions& options) {
@@ -54,8 +58,10 @@ Outcome<int> render(const RenderOptions& options) {
     request.output = options.output;
     if (const auto fine = checkOutputFile(request.output, kPictureExtensions); !fine)
       return tl::unexpected(fine.error());
-    if (!request.aovs.empty() && extensionOf(request.output) != ".exr")
-      return wrongUsage(fmt::format("--aov: {} cannot hold layers; name an .exr file", options.output));
+    for (const Aov aov : request.aovs)
+      if (extensionOf(request.output) != ".exr" && aov != Aov::Beauty)
+        if (const auto fine = checkOutputFile(aovFile(request.output, toString(aov)), kPictureExtensions); !fine)
+          return tl::unexpected(fine.error());
   }
 
   ProgressLine progress;
@@ -85,6 +91,14 @@ Outcome<int> render(const RenderOptions& options) {
   if (!layers) return tl::unexpected(layers.error());
   const auto written = writePicture(renderer, *look, request, std::move(*layers));
   if (!written) return tl::unexpected(written.error());
+  // What the colours of a picture of numbers mean: no picture here has a legend.
+  if (extensionOf(request.output) != ".exr")
+    for (const Aov aov : request.aovs)
+      if (const auto range = valueRange(aov, look->resolved, look->resolved.camera)) {
+        const float unit = range->inMillimetres > 0.0F ? range->inMillimetres : 1.0F;
+        fmt::print("{}: {:g} to {:g}{}\n", aovFile(request.output, toString(aov)).string(), range->low * unit,
+                   range->high * unit, range->inMillimetres > 0.0F ? " mm" : "");
+      }
   return kDone;
 }
 
@@ -99,8 +113,11 @@ void addRender(CLI::App& root, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
   command
-      ->add_option("--aov", options->aovs,
-                   "A further layer of an EXR: diffuse, specular, normal, occlusion, depth, profile_id; repeatable")
+      ->add_option(
+          "--aov", options->aovs,
+          fmt::format("An image of the frame besides: {}; a layer of an EXR, a file of its own beside any other "
+                      "picture; repeatable",
+                      listed(aovNames())))
       ->type_name("NAME")
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->output, "The picture to write; its ending chooses the format")
@@ -115,9 +132,12 @@ Examples:
   dermis render --model head.glb --environment studio.hdr --camera three-quarter -o head.png
   dermis render --model head.glb --material builtin:skin_tone_iii --set specular.perceptual_roughness=0.35 -o skin.png
   dermis render face.dermis --set face/subsurface.radius_mm=4,1.5,0.7 --view raw --aov normal -o face.exr
+  dermis render face.dermis --aov thickness --aov energy -o face.png     also face.thickness.png, face.energy.png
 
 Without SCENE and MODEL the embedded look is drawn. PNG, JPEG and TIFF go through the view; EXR with
---view raw holds scene-linear Rec.709, alpha multiplied in. No display is needed.)");
+--view raw holds scene-linear Rec.709, alpha multiplied in. Layers of an EXR are the numbers themselves: thickness in
+millimetres, depth in scene units. Beside other formats an AOV is drawn as the editor shows it, numbers as colours.
+No display is needed.)");
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

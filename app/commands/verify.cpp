@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -32,6 +33,7 @@ struct Recipe {
   std::string view, glRenderer;
   glm::ivec2 size{0};
   int samples = 0;
+  Aov aov = Aov::Beauty;
   Json inputs;
 };
 
@@ -56,6 +58,11 @@ Outcome<Recipe> readRecipe(const std::string& image, const ImageInfo& info, Warn
   const Json samples = json.value("samples", Json());
   if (!samples.is_number_integer() || samples.get<int>() < 1) return broken("no samples");
   recipe.samples = samples.get<int>();
+  const Json aov = json.value("aov", Json("beauty"));
+  const std::vector<Aov> all = allAovs();
+  const auto named = std::find_if(all.begin(), all.end(), [&](Aov one) { return aov == Json(toString(one)); });
+  if (named == all.end()) return broken("an AOV that this version does not have");
+  recipe.aov = *named;
   recipe.glRenderer = json.value("gl_renderer", Json("")).is_string() ? json.value("gl_renderer", std::string()) : "";
   recipe.inputs = json.value("inputs", Json::array());
   Result<Scene> scene = readScene(json["scene"].dump(), image, {}, warnings);
@@ -138,9 +145,10 @@ Outcome<int> verify(const VerifyOptions& options) {
   request.output = options.image;
   request.size = recipe->size;
   request.samples = recipe->samples;
+  if (recipe->aov != Aov::Beauty) request.aovs = {recipe->aov};
   auto layers = renderLayers(renderer, look, request, progress);
   if (!layers) return tl::unexpected(layers.error());
-  Image& after = layers->front().image;
+  Image& after = layers->back().image;
   after.name = "the picture rendered again";
   const Result<Comparison> result = compareImages(*before, after, options.tolerance);
   if (!result) return failure(result.error());

@@ -8,9 +8,9 @@
 
 namespace dermis {
 
-/// Viridis by Eric Firing, Stéfan van der Walt and Nathaniel Smith (matplotlib 2015, CC0): perceptually uniform, readable
-/// for the colour-blind and in grey. A polynomial fitted to the published table, within 0.01 of it; sRGB-encoded, as the
-/// table is. GLSL twin: resources/shaders/false_colour.glsl.
+/// Viridis by Eric Firing, Stéfan van der Walt and Nathaniel Smith (matplotlib 2015, CC0): perceptually uniform,
+/// readable for the colour-blind and in grey. A polynomial fitted to the published table, within 0.01 of it;
+/// sRGB-encoded, as the table is. GLSL twin: resources/shaders/false_colour.glsl.
 [[nodiscard]] glm::vec3 viridis(float share);
 
 enum class ColourRamp { Viridis, WhiteToBlack };

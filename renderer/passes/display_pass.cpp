@@ -141,19 +141,26 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
   return true;
 }
 
-void DisplayPass::drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, float weight,
-                           glm::vec2 depthRange, glm::ivec2 size) {
+void DisplayPass::drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov aov,
+                           const std::optional<ValueRange>& range, const gl::Texture& image, float weight,
+                           glm::ivec2 size) {
   gl::ProgramSources sources;
   sources.vertex = "full_screen.vert";
   sources.fragment = "aov.frag";
-  const gl::Program* program = frame.useProgram(sources);
-  if (program == nullptr) return;
-  glUniform1i(program->uniform("u_aov"), static_cast<int>(aov));
-  sums.bind(kImageUnit);
-  const glm::vec2 scale = glm::vec2(sums.width(), sums.height()) / glm::vec2(size);
-  glUniform1f(program->uniform("u_weight"), weight);
-  glUniform2f(program->uniform("u_range"), depthRange.x, depthRange.y);
-  glUniform2f(program->uniform("u_scale"), scale.x, scale.y);
+  auto found = shaders.program(sources);
+  if (!found) {
+    messages.say(found.error().message);
+    return;
+  }
+  const gl::Program& program = **found;
+  program.use();
+  image.bind(kImageUnit);
+  const glm::vec2 scale = glm::vec2(image.width(), image.height()) / glm::vec2(size);
+  const ValueRange ends = range.value_or(ValueRange{});
+  glUniform1i(program.uniform("u_aov"), static_cast<int>(aov));
+  glUniform1f(program.uniform("u_weight"), weight);
+  glUniform2f(program.uniform("u_range"), ends.low, ends.high);
+  glUniform2f(program.uniform("u_scale"), scale.x, scale.y);
   glViewport(0, 0, size.x, size.y);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "colour/display_transform.h"
+#include "colour/false_colour.h"
 #include "gl/gl_objects.h"
 #include "gl/shader_library.h"
 #include "passes/frame_context.h"
@@ -33,9 +34,9 @@ class DisplayPass {
   bool draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& view, const DisplayInput& input,
             glm::ivec2 size);
 
-  /// Shows an image that is not radiance.
-  static void drawData(const FrameContext& frame, Aov aov, const gl::Texture& sums, float weight, glm::vec2 depthRange,
-                       glm::ivec2 size);
+  /// Shows an image that is not radiance in the framebuffer that is bound. `range` is valueRange(aov, …).
+  static void drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov aov,
+                       const std::optional<ValueRange>& range, const gl::Texture& image, float weight, glm::ivec2 size);
 
   [[nodiscard]] std::uint64_t built() const { return m_built; }
 

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"render", "--camera", "{\"position\"", "-o", "x.png"},
                     std::vector<std::string>{"render", "--view", "no such view", "-o", "x.png"},
                     std::vector<std::string>{"render", "--aov", "no_such_aov", "-o", "x.exr"},
-                    std::vector<std::string>{"render", "--aov", "normal", "-o", "x.png"},
+                    std::vector<std::string>{"render", "--aov", "normal", "-o", "x.gif"},
                     std::vector<std::string>{"render", "--model", "builtin:teapot", "-o", "x.png"},
                     std::vector<std::string>{"render", "--environment", "builtin:moon", "-o", "x.png"},
                     std::vector<std::string>{"render", "--environment", "constant:1,2", "-o", "x.png"},

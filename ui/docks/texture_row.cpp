@@ -173,7 +173,7 @@ void TextureRow::showBinding(const TextureBinding& binding, const std::shared_pt
   m_file->setVisible(present);
   m_size->setText(!present ? tr("Drop an image here, or choose one") : image ? describe(*image) : tr("not loaded"));
   m_clear->setVisible(present);
-  m_reload->setVisible(present && !binding.path.starts_with("embedded:"));
+  m_reload->setVisible(present && !namesNoFile(binding.path));
   m_details->setVisible(present);
   const QSignalBlocker blockers[] = {QSignalBlocker(m_space), QSignalBlocker(m_channel), QSignalBlocker(m_invert),
                                      QSignalBlocker(m_flip)};

@@ -48,7 +48,8 @@ void Legend::showRange(const QString& title, const ValueRange& range) {
     m_shownPerValue = static_cast<double>(range.inMillimetres) * (metres ? 1e-3 : 1.0);
   }
   const auto shown = [&](float v) { return QString::number(static_cast<double>(v) * m_shownPerValue, 'g', 4); };
-  setAccessibleName(tr("Legend: %1 from %2 to %3 %4").arg(title, shown(range.low), shown(range.high), m_unit).trimmed());
+  setAccessibleName(
+      tr("Legend: %1 from %2 to %3 %4").arg(title, shown(range.low), shown(range.high), m_unit).trimmed());
   update();
 }
 
@@ -79,7 +80,8 @@ void Legend::paintEvent(QPaintEvent*) {
   for (int i = 0; i < columns; ++i) {
     const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(columns);
     const float value = m_range.low + share * (m_range.high - m_range.low);
-    p.fillRect(QRectF(kEdge + i / ratio, kBarTop, 1.0 / ratio + 0.05, kBarHeight), colourOf(falseColour(m_range, value)));
+    p.fillRect(QRectF(kEdge + i / ratio, kBarTop, 1.0 / ratio + 0.05, kBarHeight),
+               colourOf(falseColour(m_range, value)));
   }
   if (m_range.marksAbove) {
     const QRectF red(kEdge + barWidth + 2, kBarTop, kRedWidth - 2, kBarHeight);

@@ -48,8 +48,8 @@ const std::vector<ViewMode>& viewModes() {
     for (const Row& row : kRows) {
       const auto found = std::find_if(all.begin(), all.end(), [&](Aov aov) { return toString(aov) == row.name; });
       if (found != all.end())
-        modes.push_back({*found, QCoreApplication::translate("views", row.label),
-                         QCoreApplication::translate("views", row.help)});
+        modes.push_back(
+            {*found, QCoreApplication::translate("views", row.label), QCoreApplication::translate("views", row.help)});
     }
     return modes;
   }();

@@ -11,6 +11,7 @@
 #include "core/base/file_reference.h"
 #include "core/builtin/default_look.h"
 #include "core/builtin/environments.h"
+#include "core/builtin/maps.h"
 #include "core/io/content_hash.h"
 #include "core/io/environment_image.h"
 #include "core/io/importer.h"
@@ -94,7 +95,7 @@ void decodeEmbedded(TextureTask& task, const std::shared_ptr<const Model>& model
 }
 
 void decode(TextureTask& task, const std::shared_ptr<const Model>& model, const ResolveOptions& options) {
-  if (namesNoFile(task.path)) return decodeEmbedded(task, model, options);
+  if (embeddedIndex(task.path)) return decodeEmbedded(task, model, options);
   Result<std::shared_ptr<const Image>> image = resolveTexture(task.path, options, task.warnings);
   if (image)
     task.image = std::move(*image);
@@ -163,6 +164,14 @@ std::shared_ptr<const void> AssetCache::findAny(const std::string& key) const {
 
 Result<std::shared_ptr<const Image>> resolveTexture(const fs::path& path, const ResolveOptions& options,
                                                     Warnings& warnings) {
+  constexpr std::string_view kBuiltin = "builtin:";
+  if (const std::string name = path.string(); name.starts_with(kBuiltin)) {
+    if (auto known = cached<Image>(options, name)) return known;
+    auto made = builtinMap(std::string_view(name).substr(kBuiltin.size()));
+    if (!made) return inputError(name + " is not a map that this program carries; there is builtin:freckles");
+    remember(options, name, made);
+    return made;
+  }
   if (path.string().find("<UDIM>") != std::string::npos || path.string().find("<udim>") != std::string::npos)
     return inputError(path.string() +
                       " is a set of UDIM tiles, which this version does not read; bake the tiles into one image");

@@ -1,0 +1,91 @@
+#include "core/builtin/maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace dermis {
+
+namespace {
+
+/// Numbers 0..1 that are the same on every machine (Steele, Lea & Flood 2014, SplitMix64).
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : m_state(seed) {}
+  float next() {
+    m_state += 0x9E3779B97F4A7C15ULL;
+    std::uint64_t z = m_state;
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+    return static_cast<float>((z ^ (z >> 31U)) >> 40U) * 0x1p-24F;
+  }
+
+ private:
+  std::uint64_t m_state;
+};
+
+std::byte srgbCode(float linear) {
+  const float v = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
+  return static_cast<std::byte>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
+}
+
+constexpr int kEdge = 512;
+
+/// Optical depth of melanin in spots of soft, uneven outline: most of them small and pale, few large and dark.
+std::vector<float> freckleDepth() {
+  constexpr int kFreckles = 520;
+  std::vector<float> depth(static_cast<std::size_t>(kEdge) * kEdge, 0.0F);
+  Random random(2024);
+  for (int i = 0; i < kFreckles; ++i) {
+    const float x = random.next() * kEdge;
+    const float y = random.next() * kEdge;
+    const float size = random.next();
+    const float radius = 2.2F + 7.0F * size * size * size;  // texels of a fifth of a millimetre
+    const float dark = (0.25F + 0.75F * random.next()) * (0.6F + 0.4F * size);
+    const float stretch = 0.75F + 0.5F * random.next();
+    const float turn = 6.2831853F * random.next();
+    const float lobes = 2.0F + std::floor(3.0F * random.next());
+    const float phase = 6.2831853F * random.next();
+    const int reach = static_cast<int>(std::ceil(2.4F * radius));
+    for (int v = -reach; v <= reach; ++v)
+      for (int u = -reach; u <= reach; ++u) {
+        const int tx = static_cast<int>(std::floor(x)) + u;
+        const int ty = static_cast<int>(std::floor(y)) + v;
+        const float dx = static_cast<float>(tx) + 0.5F - x;
+        const float dy = static_cast<float>(ty) + 0.5F - y;
+        const float along = std::cos(turn) * dx + std::sin(turn) * dy;
+        const float across = std::cos(turn) * dy - std::sin(turn) * dx;
+        const float angle = std::atan2(across, along);
+        const float outline = radius * (1.0F + 0.18F * std::sin(lobes * angle + phase));
+        const float distance = std::hypot(along * stretch, across / stretch) / outline;
+        const auto wrap = [](int t) { return static_cast<std::size_t>((t % kEdge + kEdge) % kEdge); };
+        depth[wrap(ty) * kEdge + wrap(tx)] += dark / (1.0F + std::exp(6.0F * (distance - 1.0F)));
+      }
+  }
+  return depth;
+}
+
+std::shared_ptr<const Image> freckles() {
+  // Melanin takes most of the blue and least of the red: the ratios of μ_a ∝ λ^−3.33 (Jacques 1998) at 620, 550, 460
+  // nm.
+  constexpr std::array<float, 3> kPerDepth = {0.37F, 0.55F, 1.0F};
+  constexpr float kDarkest = 1.1F;
+  const std::vector<float> depth = freckleDepth();
+  auto image = std::make_shared<Image>();
+  image->width = kEdge;
+  image->height = kEdge;
+  image->channels = 3;
+  image->name = "builtin:freckles";
+  image->pixels.reserve(depth.size() * 3);
+  for (const float d : depth)
+    for (const float k : kPerDepth) image->pixels.push_back(srgbCode(std::exp(-k * std::min(d, kDarkest))));
+  return image;
+}
+
+}  // namespace
+
+std::shared_ptr<const Image> builtinMap(std::string_view id) { return id == "freckles" ? freckles() : nullptr; }
+
+}  // namespace dermis
