@@ -85,6 +85,30 @@ TEST_F(Picture, IsVerifiedByRenderingAgain) {
   EXPECT_EQ(runDermis({"verify", (m_folder / "bare.png").string()}).exitCode, 3);
 }
 
+TEST_F(Picture, AovsAreFilesOfTheirOwnBesideAPng) {
+  const std::string look = (m_folder / "look.png").string();
+  const ProgramResult result = runDermis({"render", "--size", "48x32", "--samples", "2", "--aov", "Thickness", "--aov",
+                                          "normal", "--view", "raw", "-o", look});
+  ASSERT_EQ(result.exitCode, 0) << result.allErrors();
+  // What the colours stand for is said, because the picture has no legend.
+  EXPECT_THAT(result.output, HasSubstr("look.thickness.png: 0 to 20 mm"));
+  EXPECT_THAT(result.output, Not(HasSubstr("normal")));
+  const std::string normal = (m_folder / "look.normal.png").string();
+  EXPECT_EQ(inspected(normal)["metadata"]["dermis"]["aov"], "normal");
+  EXPECT_FALSE(inspected(look)["metadata"]["dermis"].contains("aov"));
+  EXPECT_EQ(runDermis({"compare", look, normal, "--tolerance", "0.05"}).exitCode, 4);
+  EXPECT_EQ(runDermis({"verify", normal, "--tolerance", "0.01"}).exitCode, 0);
+}
+
+TEST_F(Picture, AovsAreLayersOfAnExr) {
+  render("look.exr", {"--view", "raw", "--aov", "diffuse_scattered", "--aov", "energy"});
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "look.energy.exr"));
+  const std::string said = inspected(m_folder / "look.exr").dump();
+  for (const char* channel : {"diffuse_scattered.R", "diffuse_scattered.B", "energy.R"})
+    EXPECT_THAT(said, HasSubstr(channel));
+  EXPECT_EQ(inspected(m_folder / "look.exr")["metadata"]["dermis"]["scene"]["format"], "dermis.scene");
+}
+
 TEST_F(Picture, ComparisonKnowsSameFromDifferent) {
   render("a.png");
   render("b.png", {"--set", "skin/base.albedo=0.1,0.6,0.2"});

@@ -176,5 +176,29 @@ TEST_F(ParameterRows, SearchFindsByGroupLabelAndId) {
   EXPECT_FALSE(find<PropertyRow>(QStringLiteral("specular.ior"))->isHidden());
 }
 
+TEST(NumberFields, ShowTheDigitsThatFitAndKeepTheOthers) {
+  QWidget holder;
+  NumberField field(NumberRange{0.0, 10.0, 0.0, 1.0, {}}, &holder);
+  field.setGeometry(0, 0, 46, 24);
+  holder.resize(200, 40);
+  holder.show();
+  holder.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&holder, kPatienceMs));
+  QSignalSpy edited(&field, &NumberField::edited);
+  holder.setFocus();
+  field.showNumber(0.482993);
+  EXPECT_LE(field.fontMetrics().horizontalAdvance(field.text()), 46);
+  EXPECT_NEAR(field.text().toDouble(), 0.482993, 0.06);
+  EXPECT_DOUBLE_EQ(field.value(), 0.482993);
+  EXPECT_EQ(field.toolTip(), QStringLiteral("0.482993"));
+  field.setFocus();
+  EXPECT_EQ(field.text(), QStringLiteral("0.482993"));
+  field.clearFocus();
+  EXPECT_DOUBLE_EQ(field.value(), 0.482993);
+  EXPECT_TRUE(edited.isEmpty());
+  field.showNumber(0.00004);
+  EXPECT_GT(field.text().toDouble(), 0.0);
+}
+
 }  // namespace
 }  // namespace dermis

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/base/file_reference.h"
 #include "ui/docks/panel.h"
 #include "ui/rows/choice_editors.h"
 #include "ui/rows/number_field.h"

@@ -7,7 +7,7 @@
 
 namespace dermis {
 namespace {
-constexpr int kStateVersion = 1;
+constexpr int kStateVersion = 2;
 constexpr int kLeftWidth = 344;
 constexpr int kRightWidth = 392;
 }  // namespace
@@ -55,7 +55,7 @@ void DockLayout::arrange() {
   put(Qt::LeftDockWidgetArea, "presets");
   put(Qt::LeftDockWidgetArea, "environment");
   m_window.splitDockWidget(dock("presets"), dock("environment"), Qt::Vertical);
-  for (const char* name : {"lights", "camera"}) {
+  for (const char* name : {"lights", "camera", "diffusion"}) {
     put(Qt::LeftDockWidgetArea, name);
     m_window.tabifyDockWidget(dock("environment"), dock(name));
   }

@@ -14,6 +14,7 @@
 
 #include "ui/dialogs/screenshot_dialog.h"
 #include "ui/docks/camera_panel.h"
+#include "ui/docks/diffusion_panel.h"
 #include "ui/docks/environment_panel.h"
 #include "ui/docks/lights_panel.h"
 #include "ui/docks/log_panel.h"
@@ -64,6 +65,7 @@ void MainWindow::buildDocks() {
   m_lights = new LightsPanel(m_document, this);
   m_environment = new EnvironmentPanel(m_document, m_loading, this);
   m_camera = new CameraPanel(m_document, this);
+  m_diffusion = new DiffusionPanel(m_document, this);
   m_presets = new PresetsPanel(m_document, m_loading, this);
   m_log = new LogPanel(this);
   auto* history = new QUndoView(&m_document.undoStack(), this);
@@ -73,6 +75,7 @@ void MainWindow::buildDocks() {
   m_docks->add(tr("Environment"), QStringLiteral("environment"), m_environment);
   m_docks->add(tr("Lights"), QStringLiteral("lights"), m_lights);
   m_docks->add(tr("Camera && view"), QStringLiteral("camera"), m_camera);
+  m_docks->add(tr("Diffusion"), QStringLiteral("diffusion"), m_diffusion);
   m_docks->add(tr("Material"), QStringLiteral("material"), m_material);
   m_docks->add(tr("Texture maps"), QStringLiteral("textures"), m_textures);
   m_docks->add(tr("Log"), QStringLiteral("log"), m_log);
@@ -131,6 +134,8 @@ void MainWindow::connectParts() {
   connect(m_camera, &CameraPanel::viewRequested, m_viewport, &Viewport::showNamedView);
   connect(m_camera, &CameraPanel::aovChosen, m_viewport, &Viewport::setAov);
   connect(m_viewport, &Viewport::aovChanged, m_camera, &CameraPanel::showAov);
+  connect(m_viewport, &Viewport::pictureResized, m_diffusion,
+          [this](const QSize& pixels) { m_diffusion->setPictureHeight(pixels.height()); });
   connect(m_environment, &EnvironmentPanel::chooseFileRequested, m_files, &FileActions::chooseEnvironment);
   connect(m_material, &MaterialPanel::savePresetRequested, m_files, &FileActions::savePreset);
   connect(m_presets, &PresetsPanel::saveRequested, m_files, &FileActions::savePreset);

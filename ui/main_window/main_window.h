@@ -18,6 +18,7 @@ class QToolButton;
 namespace dermis {
 
 class CameraPanel;
+class DiffusionPanel;
 class DockLayout;
 class EnvironmentPanel;
 class FileActions;
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   LightsPanel* m_lights = nullptr;
   EnvironmentPanel* m_environment = nullptr;
   CameraPanel* m_camera = nullptr;
+  DiffusionPanel* m_diffusion = nullptr;
   PresetsPanel* m_presets = nullptr;
   LogPanel* m_log = nullptr;
   QLabel* m_activity = nullptr;

@@ -49,9 +49,10 @@ void NumberField::showNumber(double number) {
   if (hasFocus() && lineEdit()->isModified() && qFuzzyCompare(1.0 + value(), 1.0 + number)) return;
   const QSignalBlocker blocker(this);
   setValue(number);
+  fitText();
 }
 
-QString NumberField::textFromValue(double value) const {
+QString NumberField::allDigits(double value) const {
   // All stored digits, but no more trailing zeros than the range's own step shows.
   QString text = QString::number(value, 'f', kStoredDecimals);
   const qsizetype point = text.indexOf(QLatin1Char('.'));
@@ -59,6 +60,30 @@ QString NumberField::textFromValue(double value) const {
   while (text.size() > shortest && text.endsWith(QLatin1Char('0'))) text.chop(1);
   if (text.endsWith(QLatin1Char('.'))) text.chop(1);
   return text;
+}
+
+QString NumberField::textFromValue(double value) const {
+  QString text = allDigits(value);
+  if (hasFocus() || lineEdit() == nullptr) return text;
+  // A line edit keeps two pixels on each side of its text, and a third for the cursor.
+  const int room = lineEdit()->width() - 5;
+  const qsizetype point = text.indexOf(QLatin1Char('.'));
+  if (point < 0 || fontMetrics().horizontalAdvance(text) <= room) return text;
+  for (int decimals = static_cast<int>(text.size() - point) - 2; decimals >= 1; --decimals) {
+    const QString shorter = QString::number(value, 'f', decimals);
+    if (fontMetrics().horizontalAdvance(shorter) > room) continue;
+    // A small number must not look like none.
+    return shorter.toDouble() == 0.0 && value != 0.0 ? QString::number(value, 'g', 1) : shorter;
+  }
+  return QString::number(value, 'f', 0);
+}
+
+void NumberField::fitText() {
+  // The line edit's own signals would make the shown digits the value.
+  const QSignalBlocker blocker(lineEdit());
+  const QString text = textFromValue(value());
+  if (lineEdit()->text() != text) lineEdit()->setText(text);
+  setToolTip(text == allDigits(value()) ? QString() : allDigits(value()));
 }
 
 double NumberField::valueFromText(const QString& text) const {
@@ -70,7 +95,7 @@ QValidator::State NumberField::validate(QString& text, int&) const {
   return parseNumber(text) ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
-void NumberField::fixup(QString& text) const { text = textFromValue(value()); }
+void NumberField::fixup(QString& text) const { text = allDigits(value()); }
 
 void NumberField::wheelEvent(QWheelEvent* event) {
   if (hasFocus())
@@ -88,7 +113,7 @@ void NumberField::stepBy(int steps) {
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
-    lineEdit()->setText(textFromValue(value()));
+    lineEdit()->setText(allDigits(value()));
     selectAll();
     return;
   }
@@ -98,7 +123,18 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
 
 void NumberField::focusInEvent(QFocusEvent* event) {
   QDoubleSpinBox::focusInEvent(event);
+  fitText();
   QTimer::singleShot(0, this, &QAbstractSpinBox::selectAll);
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+  QDoubleSpinBox::focusOutEvent(event);
+  fitText();
+}
+
+void NumberField::resizeEvent(QResizeEvent* event) {
+  QDoubleSpinBox::resizeEvent(event);
+  fitText();
 }
 
 }  // namespace dermis

@@ -26,9 +26,15 @@ class NumberField : public QDoubleSpinBox {
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void stepBy(int steps) override;
 
  private:
+  [[nodiscard]] QString allDigits(double value) const;
+  /// As many decimals as the field has room for; all of them while it is being typed into.
+  void fitText();
+
   NumberRange m_range;
   GestureClock m_clock;
 };

@@ -306,6 +306,7 @@ void Viewport::placeOverlays() {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   placeOverlays();
+  Q_EMIT pictureResized(QSize(width(), height()) * devicePixelRatioF());
 }
 
 // --- gestures

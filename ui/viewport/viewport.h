@@ -49,6 +49,8 @@ class Viewport : public QOpenGLWidget {
   void jobProgress(const QString& what, double fraction);
   void aovChanged(dermis::Aov aov);
   void withoutSubsurfaceChanged(bool without);
+  /// Device pixels of the picture.
+  void pictureResized(const QSize& pixels);
 
  protected:
   void initializeGL() override;
