@@ -40,8 +40,10 @@ std::optional<ValueRange> valueRange(Aov aov, const ResolvedScene& scene, const 
       return ValueRange{0.0F, 1.0F, 0.0F, ColourRamp::Viridis, true};
     case Aov::Depth: {
       const Bounds& bounds = scene.model->bounds;
-      const float middle = glm::dot(bounds.centre() - camera.position, glm::normalize(camera.target - camera.position));
-      return ValueRange{middle - bounds.radius(), middle + bounds.radius(), scene.millimetresPerUnit,
+      const glm::vec3 forward = glm::normalize(camera.target - camera.position);
+      const float middle = glm::dot(bounds.centre() - camera.position, forward);
+      const float half = 0.5F * glm::dot(bounds.max - bounds.min, glm::abs(forward));
+      return ValueRange{std::max(middle - half, 0.0F), middle + half, scene.millimetresPerUnit,
                         ColourRamp::WhiteToBlack, false};
     }
     default:

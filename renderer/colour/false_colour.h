@@ -24,7 +24,7 @@ struct ValueRange {
 };
 
 /// For the views of numbers; nothing for the others. Thickness ends at the largest maximum of the materials that have
-/// one, depth at the model's bounds seen from the camera, energy at 1.
+/// one, depth at the model's box seen from the camera, energy at 1.
 [[nodiscard]] std::optional<ValueRange> valueRange(Aov aov, const ResolvedScene& scene, const Camera& camera);
 
 /// The colour of a number, display-encoded, as the view draws it.

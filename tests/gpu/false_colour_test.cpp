@@ -36,8 +36,8 @@ TEST(FalseColour, RangesFollowTheSceneAndMarkGains) {
   EXPECT_EQ(valueRange(Aov::Thickness, scene, scene.camera)->high, 7.0F);
   const auto depth = valueRange(Aov::Depth, scene, scene.camera);
   const float distance = glm::length(scene.model->bounds.centre() - scene.camera.position);
-  EXPECT_NEAR(depth->low, distance - scene.model->bounds.radius(), 1e-4F);
-  EXPECT_NEAR(depth->high, distance + scene.model->bounds.radius(), 1e-4F);
+  EXPECT_NEAR(depth->low, distance - 1.0F, 1e-4F);  // a sphere of radius 1 seen along an axis
+  EXPECT_NEAR(depth->high, distance + 1.0F, 1e-4F);
   EXPECT_EQ(depth->inMillimetres, scene.millimetresPerUnit);
   const ValueRange energy = *valueRange(Aov::Energy, scene, scene.camera);
   const glm::vec3 gain = falseColour(energy, 1.05F);

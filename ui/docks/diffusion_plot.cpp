@@ -12,7 +12,7 @@
 namespace dermis {
 namespace {
 
-constexpr double kShown = 0.97;        // share of the light within the right end of the widest channel
+constexpr double kShown = 0.92;        // share of the light within the right end of the widest channel
 constexpr double kDecades = 4.0;       // of a logarithmic axis
 constexpr double kFirstPixels = 1.0;   // R(r) of Burley's profile has no end at r = 0: it is drawn from here
 constexpr double kClippedPixels = 10;  // and a linear axis ends at its value here
@@ -87,7 +87,7 @@ void DiffusionPlot::refreshRange() {
     // The other family may be much narrower: it may be cut off, not make the chosen one a line on the floor.
     const double own = highest;
     look(*m_curves.other);
-    highest = own > 0.0 ? std::min(highest, 2.0 * own) : highest;
+    highest = own > 0.0 ? std::min(highest, 1.3 * own) : highest;
   }
   if (!(highest > 0.0)) highest = 1.0;
   if (m_logarithmic) {

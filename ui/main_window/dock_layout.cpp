@@ -55,10 +55,14 @@ void DockLayout::arrange() {
   put(Qt::LeftDockWidgetArea, "presets");
   put(Qt::LeftDockWidgetArea, "environment");
   m_window.splitDockWidget(dock("presets"), dock("environment"), Qt::Vertical);
-  for (const char* name : {"lights", "camera", "diffusion"}) {
+  for (const char* name : {"lights", "camera"}) {
     put(Qt::LeftDockWidgetArea, name);
     m_window.tabifyDockWidget(dock("environment"), dock(name));
   }
+  // The curves stand where they are seen while the material's sliders move.
+  put(Qt::LeftDockWidgetArea, "diffusion");
+  m_window.tabifyDockWidget(dock("presets"), dock("diffusion"));
+  dock("presets")->raise();
   put(Qt::RightDockWidgetArea, "material");
   put(Qt::RightDockWidgetArea, "textures");
   m_window.tabifyDockWidget(dock("material"), dock("textures"));

@@ -16,7 +16,7 @@ struct BuiltinPreset {
   std::string name;
 };
 
-/// Sorted by id.
+/// In the order in which people look through them: skins first.
 [[nodiscard]] const std::vector<BuiltinPreset>& builtinPresets();
 
 /// Errors: Input, where there is none of that name.
