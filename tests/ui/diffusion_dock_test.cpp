@@ -90,5 +90,46 @@ TEST_F(DiffusionDock, SaysSoWhereNothingDiffuses) {
   EXPECT_TRUE(plot->accessibleDescription().contains(QStringLiteral("Burley")));
 }
 
+/// WCAG 2.1 relative luminance.
+double luminance(const QColor& colour) {
+  const auto linear = [](double v) { return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+TEST(DiffusionPlotColours, StandOutOnDarkAndOnLightGround) {
+  for (const QColor& ground : {QColor(0x2c, 0x2c, 0x2c), QColor(0xff, 0xff, 0xff)}) {
+    QPalette palette;
+    palette.setColor(QPalette::Base, ground);
+    for (const QColor& colour : channelColours(palette)) {
+      const double a = luminance(colour), b = luminance(ground);
+      EXPECT_GE((std::max(a, b) + 0.05) / (std::min(a, b) + 0.05), 4.5) << colour.name().toStdString();
+    }
+  }
+}
+
+TEST(DiffusionPlotPicture, IsAsFineAsTheScreenAndDrawsEachChannel) {
+  DiffusionPlot plot;
+  plot.resize(360, 240);
+  DiffusionCurves curves;
+  curves.chosen = DiffusionProfile::burley({0.8, 0.4, 0.2});
+  curves.pixelMm = 0.1;
+  plot.showCurves(curves);
+  for (const bool logarithmic : {false, true}) {
+    plot.setLogarithmic(logarithmic);
+    for (const double ratio : {1.0, 2.0}) {
+      QImage image(QSize(360, 240) * ratio, QImage::Format_RGB32);
+      image.setDevicePixelRatio(ratio);
+      plot.render(&image);
+      const std::array<QColor, 3> colours = channelColours(plot.palette());
+      for (const QColor& colour : colours) {
+        int pixels = 0;
+        for (int y = 0; y < image.height(); ++y)
+          for (int x = 0; x < image.width(); ++x) pixels += image.pixelColor(x, y) == colour ? 1 : 0;
+        EXPECT_GT(pixels, 60 * ratio) << colour.name().toStdString() << " at " << ratio;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dermis

@@ -1,5 +1,7 @@
 // Hands on the picture.
 #include <QLabel>
+#include <QLayout>
+#include <QOpenGLContext>
 
 #include "core/scene/cameras.h"
 #include "ui/editor_fixture.h"
@@ -65,6 +67,26 @@ TEST_F(ViewportGestures, ThePictureHasVarianceAndTheStatisticsSpeak) {
   EXPECT_GT(meanDifference(shown, QImage(shown.size(), shown.format())), 5.0F);
   EXPECT_TRUE(find<QLabel>(QStringLiteral("viewport.statistics"))->text().contains(QStringLiteral("fps")));
   EXPECT_TRUE(find<QLabel>(QStringLiteral("viewport.problem"))->isHidden());
+}
+
+TEST_F(ViewportGestures, ANewContextShowsTheSamePicture) {
+  // A torn-off window gives the widget another context: everything on the GPU is made again.
+  Viewport* viewport = window->viewport();
+  const QImage before = picture();
+  const QOpenGLContext* context = viewport->context();
+  QWidget* home = viewport->parentWidget();
+  viewport->setParent(nullptr);
+  viewport->resize(before.size() / viewport->devicePixelRatioF());
+  viewport->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(viewport, kPatienceMs));
+  const QImage alone = picture();
+  EXPECT_NE(viewport->context(), context);
+  EXPECT_GT(meanDifference(alone, QImage(alone.size(), alone.format())), 5.0F);
+  home->layout()->addWidget(viewport);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatienceMs));
+  const QImage after = picture();
+  ASSERT_EQ(after.size(), before.size());
+  EXPECT_LT(meanDifference(before, after), 0.5F);
 }
 
 TEST(Pace, DrawsSmallerOnSlowMachinesAndWholeOnFastOnes) {

@@ -31,6 +31,7 @@ std::byte srgbCode(float linear) {
   return static_cast<std::byte>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
 }
 
+constexpr std::string_view kFreckles = "freckles";
 constexpr int kEdge = 512;
 
 /// Optical depth of melanin in spots of soft, uneven outline: most of them small and pale, few large and dark.
@@ -86,6 +87,13 @@ std::shared_ptr<const Image> freckles() {
 
 }  // namespace
 
-std::shared_ptr<const Image> builtinMap(std::string_view id) { return id == "freckles" ? freckles() : nullptr; }
+std::optional<std::string_view> builtinMapId(std::string_view reference) {
+  constexpr std::string_view kBuiltin = "builtin:";
+  if (!reference.starts_with(kBuiltin)) return std::nullopt;
+  reference.remove_prefix(kBuiltin.size());
+  return reference == kFreckles ? std::optional(reference) : std::nullopt;
+}
+
+std::shared_ptr<const Image> builtinMap(std::string_view id) { return id == kFreckles ? freckles() : nullptr; }
 
 }  // namespace dermis

@@ -164,11 +164,11 @@ std::shared_ptr<const void> AssetCache::findAny(const std::string& key) const {
 
 Result<std::shared_ptr<const Image>> resolveTexture(const fs::path& path, const ResolveOptions& options,
                                                     Warnings& warnings) {
-  constexpr std::string_view kBuiltin = "builtin:";
-  if (const std::string name = path.string(); name.starts_with(kBuiltin)) {
+  if (const std::string name = path.string(); namesNoFile(name)) {
+    const auto id = builtinMapId(name);
+    if (!id) return inputError(name + " is not a map that this program carries; there is builtin:freckles");
     if (auto known = cached<Image>(options, name)) return known;
-    auto made = builtinMap(std::string_view(name).substr(kBuiltin.size()));
-    if (!made) return inputError(name + " is not a map that this program carries; there is builtin:freckles");
+    auto made = builtinMap(*id);
     remember(options, name, made);
     return made;
   }

@@ -5,6 +5,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/file_reference.h"
+#include "core/builtin/maps.h"
 #include "core/material/builtin_presets.h"
 #include "core/material/parameter_table.h"
 #include "core/material/value_json.h"
@@ -53,9 +54,9 @@ Json readTexture(const Json& json, const std::string& pointer, const fs::path& f
   fields.read("path", binding.path);
   if (json.is_object() && binding.path.empty())
     report.refuse(fields.pointerTo("path"), "is empty; leave out the whole map instead");
-  if (namesNoFile(binding.path) && !embeddedIndex(binding.path))
+  if (namesNoFile(binding.path) && !embeddedIndex(binding.path) && !builtinMapId(binding.path))
     report.refuse(fields.pointerTo("path"),
-                  "must name a file, or embedded:N with a number, not " + inQuotes(binding.path));
+                  "must name a file, embedded:N with a number, or builtin:freckles, not " + inQuotes(binding.path));
   binding.path = absoluteReference(binding.path, folder);
   if (std::string space; fields.find("color_space") != nullptr) {
     fields.read("color_space", space);
