@@ -66,6 +66,7 @@ Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software)
     : m_shaders(shaders),
       m_messages(messages),
       m_software(software),
+      m_shadows(software),
       m_noVertices(gl::VertexArray::create("no vertices")),
       m_frameBlockBuffer(gl::Buffer::writable("frame block", sizeof(FrameBlock))),
       m_sampleBlockBuffer(gl::Buffer::writable("sample block", sizeof(SampleBlock))) {}
@@ -119,6 +120,12 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // the environment's faces meet without a seam
     // Reversed depth in 0..1: see cameraMatrices.
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    {
+      const auto timed = m_timer.pass("shadow");
+      m_shadows.draw(frame, {request.moving ? 0 : m_samples, m_targetSamples, request.moving, request.exactDisplay},
+                     statistics);
+      m_shadows.bind();
+    }
     uploadFrameBlock(frame, statistics);
     resources.bindLight();
     clear(frame);
@@ -195,6 +202,7 @@ void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statis
   block.viewport = {size, 1.0F / size};
   block.units.x = frame.scene.millimetresPerUnit;
   packLights(block, frame.scene.scene.lights, frame.scene.millimetresPerUnit, frame.request.seconds);
+  for (std::size_t i = 0; i < m_shadows.points().size(); ++i) packPoint(block.lights.at(i), m_shadows.points()[i]);
 
   const auto bytes = bytesOf(block);
   if (!std::ranges::equal(bytes, m_frameBlockBytes)) {

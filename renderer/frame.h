@@ -11,6 +11,7 @@
 #include "passes/frame_context.h"
 #include "passes/render_targets.h"
 #include "passes/scene_resources.h"
+#include "passes/shadow_pass.h"
 #include "renderer.h"
 
 namespace dermis {
@@ -55,6 +56,7 @@ class Frame {
   MessageLog& m_messages;
   bool m_software;
   RenderTargets m_targets;
+  ShadowPass m_shadows;
   DisplayPass m_display;
   gl::GpuTimer m_timer;
   gl::VertexArray m_noVertices;

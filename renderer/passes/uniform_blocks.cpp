@@ -63,6 +63,13 @@ SampleBlock packSample(int index, int targetSamples, bool moving, bool withoutSu
   return block;
 }
 
+void packPoint(LightBlock& block, const LightPoint& point) {
+  block.positionType = {point.position, static_cast<float>(point.type)};
+  block.directionOuter = {point.direction, block.directionOuter.w};
+  block.radiantInner = {point.intensityScale * glm::vec3(block.radiantInner), block.radiantInner.w};
+  block.size.w = point.spread;
+}
+
 MapBlock packMap(TextureSlot slot, const TextureBinding& binding) {
   MapBlock map;
   switch (binding.channel) {

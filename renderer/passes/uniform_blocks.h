@@ -8,6 +8,7 @@
 
 #include "core/material/texture_slot.h"
 #include "core/scene/scene.h"
+#include "lighting/light_point.h"
 
 namespace dermis {
 
@@ -67,6 +68,9 @@ template <class Block>
 
 /// Fills lights and lightCount: enabled lights in order, at most sixteen.
 void packLights(FrameBlock& block, std::span<const Light> lights, float millimetresPerUnit, double seconds);
+
+/// Makes a packed light shine from where it does in this picture or sample.
+void packPoint(LightBlock& block, const LightPoint& point);
 
 /// How a slot's map is read: channel weights, and scale and invert folded into one multiply-add.
 [[nodiscard]] MapBlock packMap(TextureSlot slot, const TextureBinding& binding);

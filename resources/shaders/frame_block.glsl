@@ -4,7 +4,7 @@ struct LightData {
   vec4 position_type;    // xyz world, scene units; w the type, see lights.glsl
   vec4 direction_outer;  // xyz unit, the way the light travels; w cosine of the spot's outer half angle
   vec4 radiant_inner;    // rgb color * intensity; w cosine of the spot's inner half angle
-  vec4 size;             // x radius, yz half sizes of a rect; scene units
+  vec4 size;             // x radius, yz half sizes of a rect, w radius of what the light's point in this sample stands for; scene units
 };
 
 layout(std140, binding = 0) uniform FrameBlock {

@@ -42,7 +42,7 @@ Shading shade(Surface s) {
   layer.second = Lobe(lobes.y, intensity * u_material.specular_lobe_mix);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
-  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
   vec3 specular = inHalfRange(cavity * (lamps.specular + image.specular));

@@ -14,6 +14,7 @@
 #include "lighting/environment.glsl"
 #include "lighting/lobe_sampling.glsl"
 #include "lights.glsl"
+#include "shadows.glsl"
 #include "surface_types.glsl"
 
 #ifndef DERMIS_LOBES
@@ -133,14 +134,14 @@ vec3 layerSpecular(LayerPoint p, vec3 to_light, float n_dot_l) {
   return sum;
 }
 
-// All lamps.
-LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position) {
+// All lamps. `vertex_normal` is that of the side that is seen: shadows know the mesh, not its normal map.
+LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position, vec3 vertex_normal) {
   LayerLight sum = LayerLight(vec3(0.0), vec3(0.0));
   for (int i = 0; i < u_light_count.x; ++i) {
     LightSample light = lightAt(i, position);
     float n_dot_l = clamp(dot(p.normal, light.to_light), 0.0, 1.0);
     if (n_dot_l <= 0.0) continue;
-    vec3 received = light.irradiance * n_dot_l;
+    vec3 received = light.irradiance * (n_dot_l * shadowAt(i, position, vertex_normal));
     sum.specular += received * layerSpecular(p, light.to_light, n_dot_l);
     sum.body += received * bodyTransmittance(layer, n_dot_l);
   }

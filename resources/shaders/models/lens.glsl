@@ -16,7 +16,7 @@ Shading shade(Surface s) {
 
   vec3 normal = facingNormal(s);
   LayerPoint p = layerPoint(layer, normal, s.view);
-  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
   LayerLight image = layerImage(layer, p, normal, 1.0);
 
   Shading result = plainShading(vec3(0.0), inHalfRange(lamps.specular + image.specular), u_material.lens_opacity, normal);

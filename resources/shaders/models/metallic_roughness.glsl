@@ -31,7 +31,7 @@ Shading shade(Surface s) {
   layer.first = Lobe(clamp(roughness, kMinPerceptualRoughness, 1.0), 1.0);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
-  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
   // glTF's alpha is coverage: it thins the whole surface, its reflections too.

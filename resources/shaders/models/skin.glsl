@@ -23,7 +23,7 @@ Shading shade(Surface s) {
   layer.second = Lobe(lobes.y, intensity * u_material.specular_lobe_mix);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
-  LayerLight lamps = layerLamps(layer, p, s.position);
+  LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
   LayerLight image = layerImage(layer, p, facingNormal(s), ao);
 
   // albedo^m goes in, albedo^(1 − m) comes out: m = 0 keeps texture detail sharp (d'Eon & Luebke 2007, GPU Gems 3, section 14.4).

@@ -1,0 +1,260 @@
+#include "passes/shadow_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dermis {
+
+namespace {
+
+constexpr GLuint kUnit = 24;
+constexpr float kSlack = 0.12F;  // a moving camera's windows are wider by that much on each side
+constexpr float kWidest = 1.7F;  // and are drawn anew when they have become that much too wide
+constexpr std::size_t kTrianglesASample =
+    400000;  // drawn into maps for one sample of a viewport's picture, on software GL
+
+/// What models that are lit through layered.glsl ask: the published shaders have no shadows.
+bool receives(ShadingModel model) {
+  return model == ShadingModel::Skin || model == ShadingModel::Eye || model == ShadingModel::Lens ||
+         model == ShadingModel::MetallicRoughness;
+}
+
+/// Scene units that a pixel covers on the nearest part of the model.
+float pixelSize(const FrameContext& frame) {
+  const Camera& camera = frame.request.camera;
+  const auto rows = static_cast<float>(frame.request.size.y);
+  if (camera.orthographicHeight) return *camera.orthographicHeight / rows;
+  const Bounds& bounds = frame.scene.model->bounds;
+  const float distance =
+      std::max(glm::length(bounds.centre() - frame.camera.position) - 0.5F * bounds.radius(), 0.05F * bounds.radius());
+  return 2.0F * std::tan(0.5F * glm::radians(camera.verticalFovDegrees)) * distance / rows;
+}
+
+/// Evenly spread shifts of the texel grid, −½..½; steps that share no ratio with those of pixels and light points.
+glm::vec2 shiftOf(int index) {
+  const double x = 0.5 + 0.41421356237309515 * index;
+  const double y = 0.5 + 0.7320508075688772 * index;
+  return {static_cast<float>(x - std::floor(x) - 0.5), static_cast<float>(y - std::floor(y) - 0.5)};
+}
+
+ShadowWindow widened(ShadowWindow window, float share) {
+  const glm::vec2 margin = share * window.extent();
+  window.lower -= margin;
+  window.upper += margin;
+  return window;
+}
+
+}  // namespace
+
+ShadowPass::ShadowPass(bool software)
+    : m_software(software),
+      m_maps(gl::Texture::create(
+          {.target = GL_TEXTURE_2D_ARRAY, .format = GL_DEPTH_COMPONENT32F, .label = "no shadow maps"})),
+      m_framebuffer(gl::Framebuffer::create("shadow map")),
+      m_blockBuffer(gl::Buffer::writable("shadow block", sizeof(ShadowBlock))) {
+  glNamedFramebufferDrawBuffer(m_framebuffer.id(), GL_NONE);
+  glNamedFramebufferReadBuffer(m_framebuffer.id(), GL_NONE);
+}
+
+void ShadowPass::draw(const FrameContext& frame, const ShadowSample& sample, RenderStatistics& statistics) {
+  readGeometry(frame);
+  std::vector<Light> lights;
+  for (const Light& light : frame.scene.scene.lights)
+    if (light.enabled && lights.size() < kMaxLights) lights.push_back(animated(light, frame.request.seconds));
+  if (lights.size() != m_points.size()) {
+    m_points.assign(lights.size(), {});
+    m_faces.assign(lights.size(), {});
+    m_fresh.assign(lights.size(), false);
+    m_taken.assign(lights.size(), 0);
+  }
+  const bool asked = std::any_of(frame.resources.slots().begin(), frame.resources.slots().end(),
+                                 [](const SlotResources& slot) { return receives(slot.model); });
+
+  // Which lights move on: all of them in the first sample and where there is time, else one after the other.
+  if (sample.index == 0) std::fill(m_taken.begin(), m_taken.end(), 0);
+  const bool first = sample.moving || sample.index == 0;
+  std::size_t budget = lights.size();
+  if (!first && !sample.thorough && m_software)
+    budget = std::clamp<std::size_t>(kTrianglesASample * 3 / std::max<std::size_t>(m_model->indices.size(), 1), 1,
+                                     lights.size());
+  if (lights.empty()) m_turn = 0;
+  std::fill(m_fresh.begin(), m_fresh.end(), first);
+  for (std::size_t i = 0; !first && i < budget; ++i) m_fresh[m_turn++ % lights.size()] = true;
+
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (!m_fresh[i]) continue;
+    m_points[i] = pointNow(frame, lights[i], i, sample);
+    if (asked && m_points[i].castsShadow)
+      fit(frame, sample, i);
+    else
+      m_faces[i].clear();
+    ++m_taken[i];
+  }
+  makeMaps(frame, sample);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    for (Face& face : m_faces[i])
+      if (face.layer >= 0 && !face.drawn)
+        drawFace(frame, face, first ? glm::vec2(0.0F) : shiftOf(sample.index), statistics);
+  upload(sample);
+}
+
+void ShadowPass::readGeometry(const FrameContext& frame) {
+  std::vector<Caster> casters;
+  for (const SlotResources& slot : frame.resources.slots()) {
+    Caster caster{slot.kind, slot.hasCutOuts, {}, nullptr};
+    if (slot.hasCutOuts) {
+      caster.material = slot.materialBytes;
+      caster.albedo = slot.textures.at(static_cast<std::size_t>(TextureSlot::Albedo)).get();
+    }
+    casters.push_back(std::move(caster));
+  }
+  const bool sameModel = m_model == frame.scene.model;
+  if (sameModel && casters == m_casters) return;
+  if (!sameModel) m_geometry = ShadowGeometry::of(*frame.scene.model);
+  m_model = frame.scene.model;
+  m_casters = std::move(casters);
+  for (auto& faces : m_faces) faces.clear();
+}
+
+LightPoint ShadowPass::pointNow(const FrameContext& frame, const Light& light, std::size_t index,
+                                const ShadowSample& sample) {
+  const float units = frame.scene.millimetresPerUnit;
+  if (sample.moving || sample.count < 2 || !isAreaLight(light)) return centreOf(light, units);
+  // A sphere's first point is one of middling weight.
+  const glm::vec2 start = light.type == LightType::Sphere ? glm::vec2(0.29F, 0.0F) : glm::vec2(0.5F);
+  const int taken = m_taken[index];
+  return pointOf(light, units, frame.scene.model->bounds, lightNumbers(taken, start),
+                 sample.thorough ? sample.count : taken + 1);
+}
+
+void ShadowPass::fit(const FrameContext& frame, const ShadowSample& sample, std::size_t light) {
+  const LightPoint& point = m_points[light];
+  std::vector<Face>& faces = m_faces[light];
+  const std::vector<ShadowAxes> eyes = shadowAxes(point, m_geometry);
+  faces.resize(eyes.size());
+  const bool keeps = sample.moving || (sample.index == 0 && !sample.thorough);
+  for (std::size_t i = 0; i < eyes.size(); ++i) {
+    Face& face = faces[i];
+    const ShadowWindow needed = shadowWindow(eyes[i], point, m_geometry, frame.camera.viewProjection);
+    const glm::vec2 now = face.window.extent(), least = needed.extent();
+    const bool covers = face.drawn && face.axes == eyes[i] && face.window.contains(needed) &&
+                        std::max(now.x, now.y) < kWidest * std::max(least.x, least.y);
+    if (needed.empty() || (keeps && covers)) {
+      if (needed.empty()) face = Face{};
+      continue;
+    }
+    face.axes = eyes[i];
+    // Filters look a texel beyond what is lit.
+    face.window = widened(needed, sample.moving ? kSlack : 0.005F);
+    face.drawn = false;
+    face.layer = 0;
+  }
+}
+
+void ShadowPass::makeMaps(const FrameContext& frame, const ShadowSample& sample) {
+  const float pixel = pixelSize(frame);
+  float needed = 0.0F;
+  int layers = 0;
+  for (auto& faces : m_faces)
+    for (Face& face : faces) {
+      if (face.layer < 0) continue;
+      needed = std::max(needed, texelsNeeded(face.axes, face.window, m_geometry, pixel));
+      const int layer = layers++;
+      if (face.layer != layer) face.drawn = false;
+      face.layer = layer;
+    }
+  if (layers == 0) return;
+
+  // Texels no larger than a pixel, as far as there is memory; maps that are there are kept while they are not far too
+  // large.
+  constexpr std::array<int, 9> kSizes = {256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096};
+  const int most = m_software && !sample.thorough ? 2048 : 4096;
+  const std::size_t memory = m_software && !sample.thorough ? std::size_t{96} << 20 : std::size_t{256} << 20;
+  std::size_t step = 0;
+  while (step + 1 < kSizes.size() && static_cast<float>(kSizes.at(step)) < needed && kSizes.at(step + 1) <= most)
+    ++step;
+  const auto bytes = [&](std::size_t s) {
+    return static_cast<std::size_t>(kSizes.at(s)) * static_cast<std::size_t>(kSizes.at(s)) * 4 *
+           static_cast<std::size_t>(layers);
+  };
+  while (step > 0 && bytes(step) > memory) --step;
+  const int size = kSizes.at(step);
+  const int have = m_maps.width();
+  const bool fits = m_maps.spec().depth >= layers && have >= size && have <= 2 * size && have > 1;
+  if (fits) return;
+  m_maps = gl::Texture::create({.target = GL_TEXTURE_2D_ARRAY,
+                                .format = GL_DEPTH_COMPONENT32F,
+                                .width = size,
+                                .height = size,
+                                .depth = layers,
+                                .label = "shadow maps"});
+  m_maps.setFilter(GL_NEAREST, GL_NEAREST);
+  m_maps.setWrap(GL_CLAMP_TO_BORDER);  // depth 0: nothing is in the way
+  for (auto& faces : m_faces)
+    for (Face& face : faces) face.drawn = false;
+}
+
+void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift, RenderStatistics& statistics) {
+  const int size = m_maps.width();
+  const glm::vec3 centre = m_geometry.bounds.centre();
+  face.view = shadowView(face.axes, face.window, size, face.layer, shift, centre, m_geometry.facetDepth);
+  glNamedFramebufferTextureLayer(m_framebuffer.id(), GL_DEPTH_ATTACHMENT, m_maps.id(), 0, face.layer);
+  const GLfloat nothing = 0.0F;
+  glDepthMask(GL_TRUE);
+  glClearNamedFramebufferfv(m_framebuffer.id(), GL_DEPTH, 0, &nothing);
+  m_framebuffer.bind();
+  glViewport(0, 0, size, size);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_DEPTH_CLAMP);  // casters nearer than the near plane still cast
+  glDepthFunc(GL_GREATER);
+  glDisable(GL_CULL_FACE);  // both sides cast: scans have holes, hair cards have no back
+  glDisable(GL_BLEND);
+  frame.resources.geometry().bind();
+  for (const ModelPart& part : m_model->parts) {
+    const SlotResources& slot = frame.resources.slots()[part.slot];
+    if (slot.kind != DrawKind::Opaque) continue;
+    gl::ProgramSources sources;
+    sources.vertex = "shadow.vert";
+    sources.fragment = "shadow.frag";
+    if (slot.hasCutOuts) sources.defines.emplace_back("DERMIS_CUT_OUTS");
+    const gl::Program* program = frame.useProgram(sources);
+    if (program == nullptr) continue;
+    if (slot.hasCutOuts) frame.resources.bindSlot(slot);
+    glUniformMatrix4fv(program->uniform("u_clip_from_world"), 1, GL_FALSE, &face.view.clip[0][0]);
+    glUniform3f(program->uniform("u_centre"), centre.x, centre.y, centre.z);
+    frame.resources.geometry().draw(part);
+  }
+  frame.resources.unbindSamplers();
+  glDisable(GL_DEPTH_CLAMP);
+  face.drawn = true;
+  ++statistics.shadowMapsDrawn;
+}
+
+void ShadowPass::upload(const ShadowSample& sample) {
+  ShadowBlock block;
+  block.centre = {m_geometry.bounds.centre(), static_cast<float>(m_maps.width())};
+  // Still pictures take the nearest texel and move the grid; where there is nothing to average, neighbours are.
+  block.filter.x = sample.moving || sample.count < 2 || (sample.index == 0 && !sample.thorough) ? 1.0F : 0.0F;
+  int views = 0;
+  for (std::size_t light = 0; light < kMaxLights; ++light) {
+    const bool casts = light < m_faces.size() && !m_faces[light].empty();
+    block.of.at(light) = {casts ? views : -1, casts ? static_cast<int>(m_faces[light].size()) : 0, 0, 0};
+    if (!casts) continue;
+    for (const Face& face : m_faces[light]) {
+      ShadowViewBlock& view = block.views.at(static_cast<std::size_t>(views++));
+      view = face.view.block;
+      if (!face.drawn) view.texel.w = -1.0F;  // nothing that is seen lies there
+    }
+  }
+  const auto bytes = std::as_bytes(std::span<const ShadowBlock, 1>(&block, 1));
+  if (std::ranges::equal(bytes, m_blockBytes)) return;
+  m_blockBuffer.update(0, bytes);
+  m_blockBytes.assign(bytes.begin(), bytes.end());
+}
+
+void ShadowPass::bind() const {
+  m_blockBuffer.bindUniform(kShadowBinding);
+  m_maps.bind(kUnit);
+}
+
+}  // namespace dermis
