@@ -16,6 +16,35 @@ glm::vec3 unitOr(const glm::vec3& v, const glm::vec3& otherwise) {
   return length > 0.0F ? v / length : otherwise;
 }
 
+std::uint32_t reversed(std::uint32_t bits) {
+  std::uint32_t result = 0;
+  for (int i = 0; i < 32; ++i, bits >>= 1) result = result << 1 | (bits & 1U);
+  return result;
+}
+
+/// Order in which the points are taken, shuffled so that any 2^n that follow each other are still 2^n neighbours of the
+/// sequence: every second point in order would lie on one side of the light, and pixels are jittered in steps of nearly
+/// one half. Laine & Karras 2011, "Stratified Sampling for Stochastic Transparency"; constants of Burley 2020,
+/// "Practical Hash-based Owen Scrambling".
+std::uint32_t shuffled(std::uint32_t index) {
+  std::uint32_t x = reversed(index) + 0x5bd1e995U;
+  x ^= x * 0x6c50b47cU;
+  x ^= x * 0xb82f1e52U;
+  x ^= x * 0xc7afe638U;
+  x ^= x * 0x8d22f6e6U;
+  return reversed(x);
+}
+
+glm::uvec2 sobol(std::uint32_t index) {
+  glm::uvec2 point(0U);
+  std::uint32_t column = 1U << 31;
+  const std::uint32_t corput = reversed(shuffled(index));
+  point.x = corput;
+  for (std::uint32_t i = reversed(corput); i != 0; i >>= 1, column ^= column >> 1)
+    if ((i & 1U) != 0) point.y ^= column;
+  return point;
+}
+
 /// Two unit vectors that complete `z` to a right-handed frame.
 void frameAbout(const glm::vec3& z, glm::vec3& x, glm::vec3& y) {
   const glm::vec3 up = std::abs(z.y) > 0.99F ? glm::vec3(0.0F, 0.0F, -1.0F) : glm::vec3(0.0F, 1.0F, 0.0F);
@@ -36,33 +65,28 @@ LightPoint pointOfRect(const Light& light, float millimetresPerUnit, glm::vec2 n
 
 /// A sphere of radiance L and radius r has the intensity I = L π r². A point y on it, found with density p per area,
 /// sends L cos θ_y / p into the direction that leaves it at θ_y: what a flat emitter of intensity L / p does. Points
-/// that no lit point sees are never taken: the rest is a cap about the direction to what is lit, in which the cosine μ
-/// to that direction runs from `least` to 1. Its density follows L cos θ_y as seen from far away, which makes far
-/// points exact with each sample; a share of it is uniform, so that no weight grows without bound.
-LightPoint pointOfSphere(const Light& light, float millimetresPerUnit, const Bounds& lit, glm::vec2 numbers,
+/// that nothing sees are never taken. The density follows L cos θ_y as seen from far away, which makes each sample
+/// exact for far points; a share of it is uniform, so that no weight grows without bound.
+LightPoint pointOfSphere(const Light& light, float millimetresPerUnit, const LightCap& cap, glm::vec2 numbers,
                          int pieces) {
   LightPoint point = centreOf(light, millimetresPerUnit);
   const float radius = light.radiusMm / millimetresPerUnit;
-  const glm::vec3 towards = lit.centre() - light.position;
-  const float distance = glm::length(towards);
-  const glm::vec3 axis = unitOr(towards, {0.0F, 0.0F, 1.0F});
-  const float least = distance > 0.0F ? std::max((radius - lit.radius()) / distance, -1.0F) : -1.0F;
-  const float uniform = least > -1.0F ? 0.1F : 1.0F;
+  const float uniform = cap.least > -1.0F ? 0.1F : 1.0F;
   // t = (μ − least)/(1 − least) has the density 2 (1 − uniform) t + uniform.
   const float t = uniform < 1.0F ? (std::sqrt(uniform * uniform + 4.0F * (1.0F - uniform) * numbers.x) - uniform) /
                                        (2.0F * (1.0F - uniform))
                                  : numbers.x;
-  const float mu = std::clamp(least + t * (1.0F - least), -1.0F, 1.0F);
+  const float mu = std::clamp(cap.least + t * (1.0F - cap.least), -1.0F, 1.0F);
   const float sine = std::sqrt(std::max(1.0F - mu * mu, 0.0F));
   const float phi = 2.0F * kPi * numbers.y;
   glm::vec3 x, y;
-  frameAbout(axis, x, y);
+  frameAbout(cap.axis, x, y);
   point.type = LightType::Rect;
-  point.direction = glm::normalize(mu * axis + sine * (std::cos(phi) * x + std::sin(phi) * y));
+  point.direction = glm::normalize(mu * cap.axis + sine * (std::cos(phi) * x + std::sin(phi) * y));
   point.position = light.position + radius * point.direction;
   // Density per area: that of t over dμ = (1 − least) dt, over 2π r² dμ.
   const float density = 2.0F * (1.0F - uniform) * t + uniform;
-  point.intensityScale = 2.0F * (1.0F - least) / std::max(density, 1e-6F);
+  point.intensityScale = 2.0F * (1.0F - cap.least) / std::max(density, 1e-6F);
   point.spread = radius / std::sqrt(static_cast<float>(pieces));
   return point;
 }
@@ -87,26 +111,48 @@ LightPoint centreOf(const Light& light, float millimetresPerUnit) {
   return point;
 }
 
-LightPoint pointOf(const Light& light, float millimetresPerUnit, const Bounds& lit, glm::vec2 numbers, int pieces) {
+LightCap litCap(const Light& light, float millimetresPerUnit, std::span<const Bounds> lit) {
+  LightCap cap;
+  if (light.type != LightType::Sphere || lit.empty()) return cap;
+  Bounds all;
+  for (const Bounds& box : lit) {
+    all.grow(box.min);
+    all.grow(box.max);
+  }
+  cap.axis = unitOr(all.centre() - light.position, cap.axis);
+  const float radius = light.radiusMm / millimetresPerUnit;
+  // A point at the distance d sees normals up to acos(r/d) from the direction to it.
+  float widest = 0.0F;
+  for (const Bounds& box : lit)
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const glm::vec3 offset =
+          glm::vec3((corner & 1U) != 0 ? box.max.x : box.min.x, (corner & 2U) != 0 ? box.max.y : box.min.y,
+                    (corner & 4U) != 0 ? box.max.z : box.min.z) -
+          light.position;
+      const float distance = glm::length(offset);
+      if (distance <= radius) return cap;
+      widest = std::max(widest, std::acos(std::clamp(glm::dot(offset, cap.axis) / distance, -1.0F, 1.0F)) +
+                                    std::acos(radius / distance));
+    }
+  cap.least = widest < kPi ? std::cos(widest) : -1.0F;
+  return cap;
+}
+
+LightPoint pointOf(const Light& light, float millimetresPerUnit, const LightCap& cap, glm::vec2 numbers, int pieces) {
   if (!isAreaLight(light)) return centreOf(light, millimetresPerUnit);
   if (light.type == LightType::Rect) return pointOfRect(light, millimetresPerUnit, numbers, pieces);
-  return pointOfSphere(light, millimetresPerUnit, lit, numbers, pieces);
+  return pointOfSphere(light, millimetresPerUnit, cap, numbers, pieces);
 }
 
 glm::vec2 lightNumbers(int index, glm::vec2 first) {
-  std::uint32_t corput = 0, sobol = 0;
-  std::uint32_t column = 1U << 31;
-  auto i = static_cast<std::uint32_t>(index);
-  for (std::uint32_t bit = 1U << 31; i != 0; i >>= 1, bit >>= 1, column ^= column >> 1)
-    if ((i & 1U) != 0) {
-      corput |= bit;
-      sobol ^= column;
-    }
-  const auto shifted = [](std::uint32_t n, float by) {
-    const double x = n * 0x1p-32 + static_cast<double>(by);
-    return static_cast<float>(x - std::floor(x));
+  const glm::uvec2 start = sobol(0);
+  const glm::uvec2 now = sobol(static_cast<std::uint32_t>(index));
+  const auto moved = [](std::uint32_t n, std::uint32_t from, float to) {
+    // Exclusive or with the same bits everywhere keeps the strata.
+    const auto target = static_cast<std::uint32_t>(static_cast<double>(to) * 0x1p32);
+    return static_cast<float>(((n ^ from ^ target) >> 8) * 0x1p-24);
   };
-  return {shifted(corput, first.x), shifted(sobol, first.y)};
+  return {moved(now.x, start.x, first.x), moved(now.y, start.y, first.y)};
 }
 
 }  // namespace dermis

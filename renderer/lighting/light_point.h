@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 
 #include "core/scene/model.h"
 #include "core/scene/scene.h"
@@ -26,14 +27,22 @@ struct LightPoint {
 /// The light's centre, for one picture that has no samples. `light` is where it is now (its animation applied).
 [[nodiscard]] LightPoint centreOf(const Light& light, float millimetresPerUnit);
 
-/// A point of an area light for two numbers 0..1. Its intensity makes the mean over uniform numbers exact, wherever the
-/// point that is lit lies, as long as it is inside the bounding sphere of `lit`. `pieces` is how many points share the
-/// light. Other lights are their centre.
-[[nodiscard]] LightPoint pointOf(const Light& light, float millimetresPerUnit, const Bounds& lit, glm::vec2 numbers,
+/// The part of a sphere light that any of `lit` can see: the normals there are within acos(least) of `axis`. Other
+/// lights have none.
+struct LightCap {
+  glm::vec3 axis{0.0F, 0.0F, 1.0F};
+  float least = -1.0F;
+};
+[[nodiscard]] LightCap litCap(const Light& light, float millimetresPerUnit, std::span<const Bounds> lit);
+
+/// A point of an area light for two numbers 0..1. Its intensity makes the mean over uniform numbers exact, for every
+/// point that a sphere's `cap` was made for. `pieces` is how many points share the light. Other lights are their
+/// centre.
+[[nodiscard]] LightPoint pointOf(const Light& light, float millimetresPerUnit, const LightCap& cap, glm::vec2 numbers,
                                  int pieces);
 
 /// Sample `index` of the (0,2)-sequence of van der Corput 1935 and Sobol 1967, so that any 2^n samples are stratified;
-/// shifted so that the first one is `first`.
+/// moved so that the first one is `first`.
 [[nodiscard]] glm::vec2 lightNumbers(int index, glm::vec2 first = glm::vec2(0.5F));
 
 }  // namespace dermis

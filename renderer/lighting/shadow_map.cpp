@@ -225,8 +225,6 @@ ShadowView shadowView(const ShadowAxes& axes, const ShadowWindow& window, int re
   const float atCentre = axes.perspective ? across * std::max(from.z, window.near) : across;
   const float perDepth = axes.perspective ? 0.0F : 1.0F / std::max(window.far - window.near, 1e-20F);
   view.block.texel = {across, perDepth, facetDepth + kOffsetTexels * atCentre, static_cast<float>(layer)};
-  view.block.depth = {axes.perspective ? window.near : window.far - window.near, axes.perspective ? 1.0F : 0.0F, 0.0F,
-                      0.0F};
   return view;
 }
 

@@ -61,7 +61,6 @@ struct ShadowViewBlock {
   glm::mat4 texelFromWorld{1.0F};  ///< of a position relative to the centre
   std::array<glm::vec4, 3> plane;  ///< a world plane's first three coefficients in texels and depth
   glm::vec4 texel{0.0F};           ///< see shadows.glsl
-  glm::vec4 depth{0.0F};
 };
 
 struct ShadowView {

@@ -30,12 +30,19 @@ float pixelSize(const FrameContext& frame) {
   return 2.0F * std::tan(0.5F * glm::radians(camera.verticalFovDegrees)) * distance / rows;
 }
 
-/// Evenly spread shifts of the texel grid, −½..½; steps that share no ratio with those of pixels and light points.
-glm::vec2 shiftOf(int index) {
-  const double x = 0.5 + 0.41421356237309515 * index;
-  const double y = 0.5 + 0.7320508075688772 * index;
-  return {static_cast<float>(x - std::floor(x) - 0.5), static_cast<float>(y - std::floor(y) - 0.5)};
+/// Digits of `index` in a base, mirrored at the point (Halton 1960).
+float radicalInverse(int base, int index) {
+  double value = 0.0, digit = 1.0;
+  for (int i = index; i > 0; i /= base) {
+    digit /= base;
+    value += digit * (i % base);
+  }
+  return static_cast<float>(value);
 }
+
+/// Evenly spread shifts of the texel grid, −½..½, in bases that have nothing to do with the steps of pixels (R2) and of
+/// light points (base 2).
+glm::vec2 shiftOf(int index) { return {radicalInverse(3, index) - 0.5F, radicalInverse(5, index) - 0.5F}; }
 
 ShadowWindow widened(ShadowWindow window, float share) {
   const glm::vec2 margin = share * window.extent();
@@ -123,7 +130,7 @@ LightPoint ShadowPass::pointNow(const FrameContext& frame, const Light& light, s
   // A sphere's first point is one of middling weight.
   const glm::vec2 start = light.type == LightType::Sphere ? glm::vec2(0.29F, 0.0F) : glm::vec2(0.5F);
   const int taken = m_taken[index];
-  return pointOf(light, units, frame.scene.model->bounds, lightNumbers(taken, start),
+  return pointOf(light, units, litCap(light, units, m_geometry.boxes), lightNumbers(taken, start),
                  sample.thorough ? sample.count : taken + 1);
 }
 
@@ -152,7 +159,8 @@ void ShadowPass::fit(const FrameContext& frame, const ShadowSample& sample, std:
 }
 
 void ShadowPass::makeMaps(const FrameContext& frame, const ShadowSample& sample) {
-  const float pixel = pixelSize(frame);
+  // Two texels a pixel where there is time: half the blur, half the offset.
+  const float pixel = pixelSize(frame) * (sample.thorough ? 0.5F : 1.0F);
   float needed = 0.0F;
   int layers = 0;
   for (auto& faces : m_faces)
@@ -235,16 +243,18 @@ void ShadowPass::upload(const ShadowSample& sample) {
   block.centre = {m_geometry.bounds.centre(), static_cast<float>(m_maps.width())};
   // Still pictures take the nearest texel and move the grid; where there is nothing to average, neighbours are.
   block.filter.x = sample.moving || sample.count < 2 || (sample.index == 0 && !sample.thorough) ? 1.0F : 0.0F;
-  int views = 0;
-  for (std::size_t light = 0; light < kMaxLights; ++light) {
-    const bool casts = light < m_faces.size() && !m_faces[light].empty();
-    block.of.at(light) = {casts ? views : -1, casts ? static_cast<int>(m_faces[light].size()) : 0, 0, 0};
-    if (!casts) continue;
-    for (const Face& face : m_faces[light]) {
-      ShadowViewBlock& view = block.views.at(static_cast<std::size_t>(views++));
-      view = face.view.block;
-      if (!face.drawn) view.texel.w = -1.0F;  // nothing that is seen lies there
+  for (ShadowViewBlock& view : block.views) view.texel.w = -1.0F;
+  std::size_t next = kMaxLights;
+  for (std::size_t light = 0; light < m_faces.size(); ++light) {
+    const std::vector<Face>& faces = m_faces[light];
+    std::size_t first = light;
+    if (faces.size() > 1) {
+      first = next;
+      next += faces.size();
+      block.of.at(light).x = static_cast<int>(first);
     }
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (faces[i].drawn) block.views.at(first + i) = faces[i].view.block;
   }
   const auto bytes = std::as_bytes(std::span<const ShadowBlock, 1>(&block, 1));
   if (std::ranges::equal(bytes, m_blockBytes)) return;

@@ -13,7 +13,7 @@
 namespace dermis {
 
 inline constexpr unsigned kShadowBinding = 3;
-inline constexpr std::size_t kMaxShadowViews = 6 * kMaxLights;
+inline constexpr std::size_t kMaxShadowViews = 7 * kMaxLights;  // one a light, then those of cubes
 
 /// The C++ twin of ShadowBlock in shadows.glsl (std140).
 struct ShadowBlock {
@@ -22,7 +22,7 @@ struct ShadowBlock {
   std::array<glm::ivec4, kMaxLights> of{};
   std::array<ShadowViewBlock, kMaxShadowViews> views{};
 };
-static_assert(sizeof(ShadowBlock) == 32 + 16 * kMaxLights + 144 * kMaxShadowViews);
+static_assert(sizeof(ShadowBlock) == 32 + 16 * kMaxLights + 128 * kMaxShadowViews);
 
 /// Which picture the maps are for.
 struct ShadowSample {

