@@ -43,8 +43,8 @@ std::vector<float> freckleDepth() {
     const float x = random.next() * kEdge;
     const float y = random.next() * kEdge;
     const float size = random.next();
-    const float radius = 2.2F + 7.0F * size * size * size;  // texels of a fifth of a millimetre
-    const float dark = (0.25F + 0.75F * random.next()) * (0.6F + 0.4F * size);
+    const float radius = 1.9F + 5.5F * size * size * size;  // texels of a fifth of a millimetre
+    const float dark = (0.15F + 0.75F * random.next()) * (0.55F + 0.45F * size);
     const float stretch = 0.75F + 0.5F * random.next();
     const float turn = 6.2831853F * random.next();
     const float lobes = 2.0F + std::floor(3.0F * random.next());
@@ -69,10 +69,9 @@ std::vector<float> freckleDepth() {
 }
 
 std::shared_ptr<const Image> freckles() {
-  // Melanin takes most of the blue and least of the red: the ratios of μ_a ∝ λ^−3.33 (Jacques 1998) at 620, 550, 460
-  // nm.
-  constexpr std::array<float, 3> kPerDepth = {0.37F, 0.55F, 1.0F};
-  constexpr float kDarkest = 1.1F;
+  // Melanin takes most of the blue and least of the red; how much more is chosen by eye, as size and number are.
+  constexpr std::array<float, 3> kPerDepth = {0.48F, 0.78F, 1.0F};
+  constexpr float kDarkest = 0.95F;
   const std::vector<float> depth = freckleDepth();
   auto image = std::make_shared<Image>();
   image->width = kEdge;
