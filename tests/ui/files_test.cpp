@@ -7,6 +7,7 @@
 
 #include "core/material/preset_io.h"
 #include "ui/editor_fixture.h"
+#include "ui/jobs/time_left.h"
 
 namespace dermis {
 namespace {
@@ -180,6 +181,23 @@ TEST_F(Files, APictureIsDrawnBesideTheEditor) {
   ASSERT_EQ(saved.size(), QSize(96, 64)) << window->messageBar()->message().toStdString();
   EXPECT_EQ(qAlpha(saved.pixel(2, 2)), 0);
   EXPECT_EQ(qAlpha(saved.pixel(48, 32)), 255);
+}
+
+TEST(TimeLeftText, IsGuessedFromWhatWasSeenAndStartsAnewWithOtherWork) {
+  TimeLeft left;
+  EXPECT_TRUE(left.text().isEmpty());
+  left.update(QStringLiteral("bake"), 0.2, 100.0);
+  EXPECT_TRUE(left.text().isEmpty());
+  left.update(QStringLiteral("bake"), 0.3, 104.0);  // a tenth in 4 s: 28 s for the rest
+  EXPECT_TRUE(left.text().contains(QStringLiteral("30 s"))) << left.text().toStdString();
+  left.update(QStringLiteral("bake"), 0.9, 128.0);
+  EXPECT_TRUE(left.text().contains(QStringLiteral("4 s"))) << left.text().toStdString();
+  left.update(QStringLiteral("picture"), 0.1, 129.0);
+  EXPECT_TRUE(left.text().isEmpty());
+  left.update(QStringLiteral("picture"), 0.15, 139.0);
+  EXPECT_TRUE(left.text().contains(QStringLiteral("3 min"))) << left.text().toStdString();
+  left.clear();
+  EXPECT_TRUE(left.text().isEmpty());
 }
 
 }  // namespace

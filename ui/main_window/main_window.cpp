@@ -162,13 +162,20 @@ void MainWindow::refreshTitle() {
 void MainWindow::refreshActivity() {
   const QString loading = m_tasks.title();
   const bool busy = !loading.isEmpty() || !m_jobTitle.isEmpty();
-  m_activity->setText(!loading.isEmpty() ? loading : m_jobTitle);
   m_progress->setVisible(busy);
   m_cancel->setVisible(busy);
   if (!m_tasks.busy(QStringLiteral("picture"))) m_pictureFraction = -1.0;
   const double fraction = m_pictureFraction >= 0.0 ? m_pictureFraction : loading.isEmpty() ? m_jobFraction : -1.0;
   m_progress->setRange(0, fraction < 0.0 ? 0 : 1000);
   if (fraction >= 0.0) m_progress->setValue(static_cast<int>(fraction * 1000.0));
+  const QString title = !loading.isEmpty() ? loading : m_jobTitle;
+  if (!m_clock.isValid()) m_clock.start();
+  if (busy && fraction >= 0.0)
+    m_timeLeft.update(title, fraction, static_cast<double>(m_clock.elapsed()) * 1e-3);
+  else
+    m_timeLeft.clear();
+  const QString left = m_timeLeft.text();
+  m_activity->setText(left.isEmpty() ? title : tr("%1 · %2").arg(title, left));
 }
 
 // --- pictures

@@ -1,6 +1,7 @@
 // The window: assembles document, viewport, docks and menus; decides nothing.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <filesystem>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "ui/document/loading.h"
 #include "ui/jobs/picture_job.h"
 #include "ui/jobs/task_runner.h"
+#include "ui/jobs/time_left.h"
 
 class QLabel;
 class QMenu;
@@ -99,6 +101,8 @@ class MainWindow : public QMainWindow {
   QString m_jobTitle;
   double m_jobFraction = 0.0;
   double m_pictureFraction = -1.0;
+  TimeLeft m_timeLeft;
+  QElapsedTimer m_clock;
 };
 
 }  // namespace dermis
