@@ -74,7 +74,7 @@ void DockLayout::arrange() {
   dock("environment")->raise();
   dock("material")->raise();
   m_window.resizeDocks({dock("presets"), dock("material")}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-  m_window.resizeDocks({dock("presets"), dock("environment")}, {400, 500}, Qt::Vertical);
+  m_window.resizeDocks({dock("presets"), dock("environment")}, {480, 420}, Qt::Vertical);
   refreshTitleBars();
 }
 
