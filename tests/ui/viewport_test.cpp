@@ -38,6 +38,7 @@ TEST_F(ViewportGestures, ShiftAndRightDragTurnsTheEnvironmentAsOneEntry) {
 TEST_F(ViewportGestures, TheNumberKeysShowThePublishedViews) {
   Viewport* viewport = window->viewport();
   window->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), kPatienceMs));
   viewport->setFocus();
   const char* names[] = {"top-right", "top-left", "bottom-right", "bottom-left"};
   for (int i = 0; i < 4; ++i) {
