@@ -13,6 +13,9 @@ import subprocess
 import sys
 
 
+PRESETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "presets")
+
+
 def material(model, parameters, textures):
     return {"format": "dermis.material", "version": 1, "model": model, "parameters": parameters, "textures": textures}
 
@@ -44,6 +47,31 @@ def scenes(assets):
             "model": scan_model, "materials": {"*": look}, "lights": [key] if model == "thesis" else [],
             "environment": {"path": os.path.join(hdri, "studio_small_09_1k.hdr"), "background": "prefiltered:0.4"},
             "camera": scan_camera, "view": {"transform": "Thesis" if model == "thesis" else "ACES"}}
+
+    # Light under the skin: a key with its terminator on the cheek, light from behind, the environment alone, lengths × 0.1 and × 10.
+    sphere_key = {"type": "sphere", "position": [-0.7, 0.35, 0.55], "color": [1, 0.96, 0.9], "intensity": 1.6, "radius_mm": 60}
+    behind = {"type": "spot", "position": [0.35, 0.1, -0.6], "direction": [-0.5, -0.15, 0.85], "intensity": 2.5,
+              "inner_degrees": 25, "outer_degrees": 40}
+    ear_camera = {"position": [0.42, 0.03, 0.55], "target": [0.075, -0.005, -0.03], "up": [0, 1, 0], "vertical_fov_degrees": 9}
+    dim = {"constant": [0.02, 0.02, 0.022], "background": "color:0.02,0.02,0.022"}
+    studio = {"path": os.path.join(hdri, "studio_small_09_1k.hdr"), "background": "prefiltered:0.4"}
+
+    def scan(name, parameters=None, **scene):
+        base = {"model": scan_model, "materials": {"*": material("skin", parameters or {}, scan_maps)}, "camera": scan_camera,
+                "view": {"transform": "ACES"}, "environment": dim}
+        result["scan-" + name] = {**base, **scene}
+
+    scan("key", lights=[sphere_key])
+    scan("backlit", lights=[behind])
+    scan("backlit-ear", lights=[behind], camera=ear_camera)
+    scan("environment", environment=studio)
+    for factor in (0.1, 1, 10):
+        scan("scale-x%g" % factor, {"subsurface.scale": factor}, lights=[sphere_key])
+    # The tones colour the whole head evenly: the scan's own albedo is one person's.
+    for tone in ("i", "ii", "iii", "iv", "v", "vi"):
+        result["scan-tone-" + tone] = {
+            "model": scan_model, "materials": {"*": os.path.join(PRESETS, "skin_tone_%s.json" % tone)}, "camera": scan_camera,
+            "view": {"transform": "ACES"}, "environment": studio, "lights": [sphere_key]}
 
     eye_map = {"albedo": {"path": os.path.join(makehuman, "textures", "eye_brown_albedo.png"), "color_space": "srgb"}}
     face_maps = {"albedo": {"path": os.path.join(makehuman, "textures", "skin_light_albedo.png"), "color_space": "srgb"},
