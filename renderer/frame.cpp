@@ -138,7 +138,9 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     m_noVertices.bind();
     if (m_targets.split()) {
       const auto timed = m_timer.pass("subsurface");
-      subsurfacePass(frame);
+      // Two passes are enough while something moves; what is looked at or exported gathers from the whole disc.
+      const bool spreads = request.moving && m_targets.prepareSpread().has_value();
+      subsurfacePass(frame, spreads ? DiffusionQuality::Separable : DiffusionQuality::Disc);
     }
     m_targets.scene().bind();
     {

@@ -136,9 +136,16 @@ class GlRenderer final : public Renderer {
       if (m_info.software && m_hasWindow && !withAovs && !blended)
         moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps));
     }
-    if (isSplit(scene) || withAovs) need.push_back(composeProgram());
+    if (isSplit(scene) || withAovs) {
+      const std::size_t profiles = profileCount(scene);
+      for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Disc, profiles))
+        need.push_back(std::move(sources));
+      if (m_hasWindow)
+        for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Separable, profiles))
+          moving.push_back(std::move(sources));
+    }
     // What a moving picture needs on software GL comes after what the still one does.
-    if (!moving.empty()) moving.push_back(geometryProgram());
+    if (m_info.software && m_hasWindow) moving.push_back(geometryProgram());
     need.insert(need.end(), moving.begin(), moving.end());
     std::vector<gl::ProgramSources> wanted;
     for (const gl::ProgramSources& sources : need)

@@ -69,7 +69,7 @@ struct FrameRequest {
 struct RenderStatistics {
   std::uint64_t frames = 0, programsCompiled = 0, texturesUploaded = 0, geometryUploads = 0, environmentsBaked = 0,
                 environmentsFromCache = 0, uniformBlocksUploaded = 0, displayProgramsBuilt = 0, glErrors = 0;
-  std::uint64_t texturesReleased = 0, shadowMapsDrawn = 0;
+  std::uint64_t texturesReleased = 0, shadowMapsDrawn = 0, diffusionKernelsMade = 0;
   std::size_t residentTextures = 0, triangles = 0;
   int samples = 0, targetSamples = 0;  ///< of the picture shown last
 };

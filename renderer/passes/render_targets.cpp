@@ -84,7 +84,7 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
       if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
     if (split()) {
       m_shading = framebufferOf(kSurfaceImages, "shading", false);
-      m_composed = framebufferOf(kComposedImages, "composed", false);
+      m_composed = framebufferOf(kComposedImages, "composed", true);
       for (const gl::Framebuffer* framebuffer : {&m_shading, &m_composed})
         if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
     }
@@ -110,6 +110,18 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
   m_hasMultisampled = true;
   if (auto complete = m_multisampled.check(); !complete) return tl::unexpected(complete.error());
   return true;
+}
+
+Result<void> RenderTargets::prepareSpread() {
+  if (m_spread) return {};
+  // 32 bits, because it carries the depth.
+  m_spread = gl::Texture::create(
+      {.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "spread along one axis"});
+  m_spreading = gl::Framebuffer::create("spread along one axis");
+  m_spreading.attachColour(0, m_spread);
+  m_spreading.attachDepth(m_depth);
+  m_spreading.drawTo(1);
+  return m_spreading.check();
 }
 
 Result<void> RenderTargets::prepareSurfaces() {

@@ -44,6 +44,8 @@ class RenderTargets {
   /// Makes the sums of these images, zeroed by the first sample written. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSums(SceneImages images);
 
+  /// Makes what the first of two diffusion passes writes. Errors: Runtime.
+  [[nodiscard]] Result<void> prepareSpread();
   /// Makes what surfacePassDeferred draws into first. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSurfaces();
 
@@ -56,10 +58,12 @@ class RenderTargets {
   [[nodiscard]] const gl::Framebuffer& scene() const { return m_scene; }
   [[nodiscard]] const gl::Framebuffer& multisampled() const { return m_multisampled; }
   [[nodiscard]] const gl::Framebuffer& surfaces() const { return m_surfaces; }  ///< with the scene's depth
-  /// What the surface pass writes, and what the subsurface pass makes of it (beauty, diffuse, scattered by location):
-  /// both without depth, which they read.
+  /// What the surface pass writes, without depth, which it reads; and what the subsurface pass makes of it (beauty,
+  /// diffuse, scattered by location), with the depth that both its test and its shaders read and nothing writes.
   [[nodiscard]] const gl::Framebuffer& shading() const { return m_shading; }
   [[nodiscard]] const gl::Framebuffer& composed() const { return m_composed; }
+  [[nodiscard]] const gl::Framebuffer& spreading() const { return m_spreading; }
+  [[nodiscard]] const gl::Texture& spread() const { return m_spread; }
   [[nodiscard]] const gl::Texture& depth() const { return m_depth; }
   /// Coordinates and normal, tangent, depth: on the units that surface.frag reads them from.
   void bindSurfaces() const;
@@ -88,8 +92,8 @@ class RenderTargets {
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Texture m_surface, m_tangent;
-  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_shading, m_composed, m_radiances;
+  gl::Texture m_surface, m_tangent, m_spread;
+  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_shading, m_composed, m_radiances, m_spreading;
 };
 
 }  // namespace dermis

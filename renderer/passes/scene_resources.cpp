@@ -30,12 +30,6 @@ bool cullsBackFaces(const Material& material) {
   return material.model == ShadingModel::MetallicRoughness && !material.parameters.metallicRoughnessDoubleSided;
 }
 
-/// Light that enters spreads: the slot's number, from 1; 0 for materials without diffusion.
-int profileIdOf(const Material& material, std::size_t slot) {
-  const bool diffuses = material.model == ShadingModel::Skin || material.model == ShadingModel::Eye;
-  return diffuses ? static_cast<int>(slot) + 1 : 0;
-}
-
 }  // namespace
 
 bool isBlended(const Material& material) { return drawKindOf(material) != DrawKind::Opaque; }
@@ -122,6 +116,7 @@ void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
     ++statistics.geometryUploads;
     statistics.triangles = m_model->indices.size() / 3;
   }
+  statistics.diffusionKernelsMade += m_kernels.update(*m_scene, messages);
   m_slots.resize(m_scene->slots.size());
   for (std::size_t i = 0; i < m_slots.size(); ++i) uploadSlot(i, statistics, messages);
   m_textures.releaseUnused();
@@ -174,7 +169,7 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   // Software GL runs both sides of a branch, so its programs leave out what fetches from absent maps.
   slot.constantMaps = m_software ? std::optional<int>(draw.mapBits.x) : std::nullopt;
   draw.mapBits.z = hasUvs ? 1 : 0;
-  draw.mapBits.w = profileIdOf(source.material, index);
+  draw.mapBits.w = m_kernels.id(index);
   slot.textures = std::move(textures);
   const bool isNew = !slot.drawBlock;
   if (isNew) slot.drawBlock = gl::Buffer::writable("draw block", sizeof(DrawBlock));

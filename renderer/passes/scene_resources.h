@@ -11,6 +11,7 @@
 #include "gl/job_queue.h"
 #include "lighting/dfg_table.h"
 #include "lighting/environment_map.h"
+#include "passes/diffusion_kernels.h"
 #include "passes/geometry.h"
 #include "passes/texture_cache.h"
 #include "passes/uniform_blocks.h"
@@ -53,6 +54,8 @@ class SceneResources {
   [[nodiscard]] const Geometry& geometry() const { return *m_geometry; }
   [[nodiscard]] const std::vector<SlotResources>& slots() const { return m_slots; }
 
+  [[nodiscard]] const DiffusionKernels& kernels() const { return m_kernels; }
+
   /// Null until the first one is complete.
   [[nodiscard]] const EnvironmentMap* environment() const { return m_environment.get(); }
   /// Grows whenever another environment comes into use.
@@ -80,6 +83,7 @@ class SceneResources {
   std::shared_ptr<const Model> m_model;  ///< the one m_geometry is of
   std::optional<Geometry> m_geometry;
   std::vector<SlotResources> m_slots;
+  DiffusionKernels m_kernels;
   TextureCache m_textures;
   gl::Sampler m_rawSampler;  ///< skips sRGB decoding: the thesis decodes its albedo itself
   bool m_canSkipDecode = false;

@@ -126,7 +126,7 @@ std::vector<ParameterRow> buildRows() {
   using P = MaterialParameters;
   std::vector<Builder> b;
   // clang-format off
-  b.push_back(row<&P::baseAlbedo>("base.albedo", "Albedo", "Base", kSkin | kThesis | kGltf).hard(0, 1).map(TextureSlot::Albedo)
+  b.push_back(row<&P::baseAlbedo>("base.albedo", "Albedo", "Base", kSkin | kThesis | kGltf).hard(0, 1).map(TextureSlot::Albedo).kernel()
     .says("Share of the light entering the surface that leaves it again, per channel; metals use it as F0.")
     .from("Mid skin; close to the light-skin albedos of Donner & Jensen 2006"));
   b.push_back(row<&P::baseMetallic>("base.metallic", "Metallic", "Base", kSkin | kThesis | kGltf).hard(0, 1).map(TextureSlot::Metallic)

@@ -59,12 +59,11 @@ struct TexelReader {
 
 }  // namespace
 
-glm::vec3 meanAlbedo(const ResolvedScene& scene, std::size_t slot) {
+glm::vec3 meanOfAlbedoMap(const ResolvedScene& scene, std::size_t slot) {
   const ResolvedMaterial& material = scene.slots.at(slot);
-  const glm::vec3 base = material.material.parameters.baseAlbedo.rgb;
   const auto& image = material.images.at(static_cast<std::size_t>(TextureSlot::Albedo));
   const Model& model = *scene.model;
-  if (!image || !model.hasUvs) return base;
+  if (!image || !model.hasUvs) return glm::vec3(1.0F);
   const TextureBinding& binding = material.material.texture(TextureSlot::Albedo);
   const TexelReader read(*image, binding);
   const glm::vec2 uvScale(binding.uvScale[0], binding.uvScale[1]);
@@ -88,11 +87,15 @@ glm::vec3 meanAlbedo(const ResolvedScene& scene, std::size_t slot) {
       area += weight;
     }
   }
-  if (!(area > 0.0)) return base;
+  if (!(area > 0.0)) return glm::vec3(1.0F);
   // As the shader reads the map: scaled, and turned round where it is inverted.
   glm::vec3 mean(sum / area);
   mean = binding.scale * (binding.invert ? 1.0F - mean : mean);
-  return base * glm::clamp(mean, 0.0F, 1.0F);
+  return glm::clamp(mean, 0.0F, 1.0F);
+}
+
+glm::vec3 meanAlbedo(const ResolvedScene& scene, std::size_t slot) {
+  return scene.slots.at(slot).material.parameters.baseAlbedo.rgb * meanOfAlbedoMap(scene, slot);
 }
 
 }  // namespace dermis

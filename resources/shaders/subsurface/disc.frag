@@ -1,0 +1,107 @@
+// Diffusion for stillness and export: every sample of the picture gathers light from a disc of the surface around the point, the places
+// drawn from the profile itself.
+//
+// What leaves at p is ∫ E(q) R(|q − p|) dA(q) over the surface. Places t are drawn on the tangent plane at p, as the mean of the three
+// channels' profiles has them; q is the surface under the pixel where t is seen. With J = dA(q)/dA(t) the ratio of the areas that one
+// piece of the screen shows of surface and tangent plane, a sample weighs R(|q − p|) J / pdf(t); the sum is divided by the weights
+// found, so a white body stays white. E is taken as constant over a pixel, which makes a profile narrower than a pixel Lambert's.
+#include "subsurface/compose.glsl"
+#include "subsurface/profiles.glsl"
+#include "subsurface/surface_points.glsl"
+
+#ifndef DERMIS_SAMPLES
+#define DERMIS_SAMPLES 24
+#endif
+const float kTwoPi = 6.28318530717958648;
+// One step of the golden angle, as a rotation.
+const vec2 kGoldenStep = vec2(-0.737368878, 0.675490294);
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 here = texelFetch(u_entering, pixel, 0);
+  vec4 geometry = texelFetch(u_geometry, pixel, 0);
+  float depth = texelFetch(u_depth, pixel, 0).r;
+  int id = int(geometry.z + 0.5);
+  if (id == 0 || here.a <= 0.0) {
+    compose(pixel, here.rgb, here.rgb, depth > 0.0);
+    return;
+  }
+
+  int profile = id - 1;
+  vec4 direct = u_profile_direct[profile];
+  float extent = direct.w, tolerance = u_profile_boundary[profile].w;
+  vec3 p = worldAt(gl_FragCoord.xy, depth);
+  vec3 normal = fromOctahedron(geometry.xy);
+  vec3 view = towardsViewer(p);
+  vec3 along, across;
+  tangentFrame(normal, along, across);
+  float unit = 1.0 / u_units.x;  // a millimetre in scene units
+  vec3 clip = clipOf(vec4(p, 1.0));
+  vec3 clip_along = clipOf(vec4(along * unit, 0.0)), clip_across = clipOf(vec4(across * unit, 0.0));
+  float facing = max(abs(dot(normal, view)), 0.05);
+  bool orthographic = u_camera_position.w > 0.5;
+
+  // Each pixel turns the pattern and shifts its radii; each sample of the picture does so again.
+  float turn = kTwoPi * fract(gradientNoise(gl_FragCoord.xy) + u_random.x);
+  float shift = fract(gradientNoise(gl_FragCoord.yx + vec2(37.0, 113.0)) + u_random.y);
+  vec2 direction = vec2(cos(turn), sin(turn));
+
+  vec3 light = vec3(0.0), found = vec3(0.0), beyond = vec3(0.0);
+  for (int i = 0; i < DERMIS_SAMPLES; ++i) {
+    float r = profileTable((float(i) + shift) / float(DERMIS_SAMPLES), profile).a;
+    direction = vec2(direction.x * kGoldenStep.x - direction.y * kGoldenStep.y,
+                     direction.x * kGoldenStep.y + direction.y * kGoldenStep.x);
+    vec2 offset = r * direction;
+    vec3 clip_t = clip + offset.x * clip_along + offset.y * clip_across;
+    vec2 screen = screenOf(clip_t);
+    ivec2 there = ivec2(floor(screen));
+    bool inside = clip_t.z > 0.0 && all(greaterThanEqual(screen, vec2(0.0))) && all(lessThan(screen, u_viewport.xy));
+    there = clamp(there, ivec2(0), ivec2(u_viewport.xy) - 1);
+    vec4 other = texelFetch(u_entering, there, 0);
+    vec4 other_geometry = texelFetch(u_geometry, there, 0);
+    float other_depth = texelFetch(u_depth, there, 0).r;
+    if (!inside || other_depth <= 0.0) continue;
+
+    // The surface at that very place, by the tangent plane of its pixel's centre.
+    vec3 other_normal = fromOctahedron(other_geometry.xy);
+    vec3 centre = worldAt(vec2(there) + 0.5, other_depth);
+    vec3 step_there = worldStep(screen - vec2(there) - 0.5, other_depth);
+    vec3 other_view = towardsViewer(centre + step_there);
+    float other_facing = dot(other_normal, other_view);
+    other_facing = other_facing < 0.0 ? min(other_facing, -0.05) : max(other_facing, 0.05);
+    vec3 q = centre + step_there - other_view * (dot(other_normal, step_there) / other_facing);
+
+    // On an evenly curved surface the chord meets both normals at the same angle.
+    vec3 chord = q - p;
+    float distance_mm = length(chord) * u_units.x;
+    float height_mm = 0.5 * dot(normal + other_normal, chord) * u_units.x;
+    float together = belongsTogether(height_mm, distance_mm, tolerance);
+    vec3 t = p + unit * (offset.x * along + offset.y * across);
+    float area = facing / abs(other_facing);
+    if (!orthographic) {
+      vec3 to_q = q - u_camera_position.xyz, to_t = t - u_camera_position.xyz;
+      float facing_t = max(abs(dot(normal, to_t)), 1e-12), facing_q = max(abs(dot(other_normal, to_q)), 1e-12);
+      float q2 = dot(to_q, to_q), t2 = dot(to_t, to_t);
+      // cos/distance² of the plane over that of the surface.
+      area = facing_t * q2 * sqrt(q2) / (facing_q * t2 * sqrt(t2));
+    }
+    vec3 drawn = radiusTimesDensity(r, extent, profile);
+    float pdf = (drawn.r + drawn.g + drawn.b) / 3.0;  // times r
+    vec3 weight = radiusTimesDensity(max(distance_mm, 1e-9), extent, profile) *
+                  (r / (max(distance_mm, 1e-9) * max(pdf, 1e-30))) * (together * min(area, 8.0));
+    if (int(other_geometry.z + 0.5) == id) {
+      weight *= other.a;
+      light += weight * other.rgb;
+      found += weight;
+    } else {
+      beyond += weight;
+    }
+  }
+
+  vec3 share = found / max(found + beyond, vec3(1e-20));
+  vec3 spread = light / max(found, vec3(1e-20));
+  spread *= mix(u_profile_boundary[profile].rgb, vec3(1.0), share);
+  spread = mix(here.rgb, spread, greaterThan(found, vec3(1e-18)));
+  spread = mix(spread, here.rgb, direct.rgb);
+  compose(pixel, here.rgb, mix(here.rgb, spread, here.a), true);
+}

@@ -1,0 +1,41 @@
+// The diffusion profiles of a frame, by profile id − 1. C++ twin: ProfileBlock in renderer/passes/diffusion_kernels.h.
+#ifndef DERMIS_PROFILES
+#define DERMIS_PROFILES
+
+const int kMaxProfiles = 16;
+const int kSideTaps = 6;
+const int kTableSize = 1024;
+
+layout(std140, binding = 4) uniform ProfileBlock {
+  vec4 u_profile_direct[kMaxProfiles];    // rgb share that leaves where it entered; w the radius that holds the rest, mm
+  vec4 u_profile_boundary[kMaxProfiles];  // rgb tint of light from beyond the boundary; w how far from flat a surface may be, mm
+  // For two passes: the cell about the point and those on each side of it; rgb their share, w where they begin (the first: half its
+  // width), mm; one more says where the last ends.
+  vec4 u_profile_cells[kMaxProfiles * (kSideTaps + 2)];
+};
+
+// Row: profile. Texel i: rgb r·R(r) at r = radius · (i/(size − 1))⁴; a the radius within which i/(size − 1) of the mean of the three leaves.
+layout(binding = 26) uniform sampler2D u_profile_table;
+
+vec4 profileTable(float x, int profile) {
+  float at = clamp(x, 0.0, 1.0) * float(kTableSize - 1);
+  int low = min(int(at), kTableSize - 2);
+  vec4 a = texelFetch(u_profile_table, ivec2(low, profile), 0);
+  vec4 b = texelFetch(u_profile_table, ivec2(low + 1, profile), 0);
+  return mix(a, b, at - float(low));
+}
+
+// r · R(r) of a profile that reaches as far as `extent`.
+vec3 radiusTimesDensity(float r, float extent, int profile) {
+  float x = sqrt(sqrt(r / max(extent, 1e-12)));
+  return x < 1.0 ? profileTable(x, profile).rgb : vec3(0.0);
+}
+
+// How much of the light from a surface point counts that lies `height` away from where a flat, or evenly curved, surface would have it:
+// surfaces that don't belong together exchange none. Both in mm; `tolerance` is a material's, near its diffusion length.
+float belongsTogether(float height, float chord, float tolerance) {
+  float limit = tolerance * (0.6 + 0.12 * min(chord / max(tolerance, 1e-12), 10.0));
+  return clamp(2.0 - abs(height) / max(limit, 1e-12), 0.0, 1.0);
+}
+
+#endif
