@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/file_io.h"
+#include "core/io/disk_cache.h"
 
 namespace dermis {
 namespace {
@@ -70,31 +71,6 @@ class Mapping {
   void* m_data = nullptr;
   std::size_t m_size = 0;
 };
-
-/// Removes the files used longest ago until the folder keeps its limit.
-void trim(const fs::path& folder) {
-  struct Entry {
-    fs::path path;
-    std::uintmax_t size;
-    fs::file_time_type used;
-  };
-  std::vector<Entry> entries;
-  std::uintmax_t total = 0;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    if (it->path().extension() != kSuffix) continue;
-    std::error_code gone;
-    const auto size = it->file_size(gone);
-    const auto used = it->last_write_time(gone);
-    if (gone) continue;
-    entries.push_back({it->path(), size, used});
-    total += size;
-  }
-  std::ranges::sort(entries, {}, &Entry::used);
-  for (std::size_t i = 0; total > kEnvironmentCacheBytes && i + 1 < entries.size(); ++i) {
-    if (fs::remove(entries[i].path, error)) total -= entries[i].size;
-  }
-}
 
 /// Bytes that a cube of this shape holds; 0 for an impossible shape.
 std::uint64_t expectedBytes(const CubeShape& shape, bool floats) {
@@ -159,7 +135,7 @@ std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOpti
   baked->figures.floatStorage = baked->floatStorage;
   baked->figures.fromCache = true;
   baked->storage = std::move(mapping);
-  // The time of last use, for trim().
+  // The time of last use, for trimDiskCache().
   std::error_code ignored;
   fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
   return baked;
@@ -197,7 +173,7 @@ bool writeEnvironmentCache(const EnvironmentBakeOptions& options, const Environm
         if (std::fclose(file) != 0 || !complete) return runtimeError("the cache file can't be written");
         return {};
       });
-  trim(options.cacheFolder);
+  trimDiskCache(options.cacheFolder, kSuffix, kEnvironmentCacheBytes);
   return written.has_value();
 }
 

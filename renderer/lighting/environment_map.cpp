@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "lighting/spherical_harmonics.h"
+
 namespace dermis {
 namespace {
 
@@ -34,6 +36,7 @@ class EnvironmentUpload {
       : m_baked(std::move(baked)), m_map(std::make_shared<EnvironmentMap>()) {
     m_map->m_scale = m_baked->scale;
     m_map->m_figures = m_baked->figures;
+    m_map->m_harmonics = harmonicsOfIrradiance(m_baked->irradiance, m_baked->floatStorage);
     m_map->m_sharp = makeCube(m_baked->sharp, m_baked->floatStorage, "environment, sharp", false);
     m_map->m_prefiltered = makeCube(m_baked->prefiltered, m_baked->floatStorage, "environment, prefiltered", true);
     m_map->m_irradiance = makeCube(m_baked->irradiance, m_baked->floatStorage, "environment, irradiance", false);

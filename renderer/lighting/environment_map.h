@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "core/bake/harmonics.h"
 #include "core/scene/resolved_scene.h"
 #include "gl/gl_objects.h"
 #include "gl/job_queue.h"
@@ -23,6 +24,8 @@ class EnvironmentMap {
   [[nodiscard]] float scale() const { return m_scale; }
   [[nodiscard]] const EnvironmentFigures& figures() const { return m_figures; }
   [[nodiscard]] std::size_t bytes() const;
+  /// Of what the cubes hold, in the environment's own axes.
+  [[nodiscard]] const Harmonics<glm::vec3>& harmonics() const { return m_harmonics; }
 
   [[nodiscard]] const gl::Texture& prefiltered() const { return m_prefiltered; }
   [[nodiscard]] const gl::Texture& irradiance() const { return m_irradiance; }
@@ -32,6 +35,7 @@ class EnvironmentMap {
   friend class EnvironmentUpload;
   gl::Texture m_prefiltered, m_irradiance, m_sharp;
   float m_scale = 1.0F;
+  Harmonics<glm::vec3> m_harmonics{};
   EnvironmentFigures m_figures;
 };
 

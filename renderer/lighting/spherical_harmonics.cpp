@@ -1,8 +1,11 @@
 #include "lighting/spherical_harmonics.h"
 
 #include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <numbers>
 
+#include "core/bake/harmonics.h"
 #include "lighting/cube_geometry.h"
 
 namespace dermis {
@@ -10,20 +13,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::array<double, 9> basis(const glm::dvec3& d) {
-  return {0.28209479177387814,
-          0.4886025119029199 * d.y,
-          0.4886025119029199 * d.z,
-          0.4886025119029199 * d.x,
-          1.0925484305920792 * d.x * d.y,
-          1.0925484305920792 * d.y * d.z,
-          0.31539156525252005 * (3.0 * d.z * d.z - 1.0),
-          1.0925484305920792 * d.x * d.z,
-          0.5462742152960396 * (d.x * d.x - d.y * d.y)};
-}
-
 void add(std::array<glm::dvec3, 9>& sums, const glm::dvec3& d, const glm::dvec3& power) {
-  const auto y = basis(d);
+  const auto y = harmonicsAt(d);
   for (std::size_t i = 0; i < 9; ++i) sums[i] += power * y[i];
 }
 
@@ -61,6 +52,56 @@ std::array<glm::dvec3, 9> sphericalHarmonics9(const RadianceMap& map) {
     }
   }
   return sums;
+}
+
+Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance, bool floats) {
+  const int n = irradiance.faceSize;
+  const std::byte* texel = irradiance.bytes.data();
+  std::array<glm::dvec3, 9> sums{};
+  for (int face = 0; face < 6; ++face)
+    for (int y = 0; y < n; ++y)
+      for (int x = 0; x < n; ++x) {
+        std::array<float, 4> rgba{};
+        if (floats) {
+          std::memcpy(rgba.data(), texel, sizeof rgba);
+          texel += sizeof rgba;
+        } else {
+          std::uint64_t halves = 0;
+          std::memcpy(&halves, texel, sizeof halves);
+          texel += sizeof halves;
+          const glm::vec4 value = glm::unpackHalf4x16(halves);
+          rgba = {value.x, value.y, value.z, value.w};
+        }
+        const float side = static_cast<float>(n);
+        const glm::vec3 d =
+            cubeDirection(face, (static_cast<float>(x) + 0.5F) / side, (static_cast<float>(y) + 0.5F) / side);
+        add(sums, d, glm::dvec3(rgba[0], rgba[1], rgba[2]) * cubeTexelSolidAngle(x, y, n));
+      }
+  Harmonics<glm::vec3> radiance{};
+  for (std::size_t i = 0; i < 9; ++i) radiance[i] = glm::vec3(sums[i] / kCosineLobe<double>[i]);
+  return radiance;
+}
+
+Harmonics<glm::vec3> turned(const Harmonics<glm::vec3>& f, const glm::mat3& turn) {
+  // Products of two harmonics have degree 4: three Gauss-Legendre heights and five directions each integrate them
+  // exactly.
+  constexpr std::array<double, 3> kHeights = {-0.7745966692414834, 0.0, 0.7745966692414834};
+  constexpr std::array<double, 3> kWeights = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+  constexpr int kAround = 5;
+  Harmonics<glm::dvec3> sums{};
+  for (std::size_t j = 0; j < 3; ++j)
+    for (int i = 0; i < kAround; ++i) {
+      const double phi = 2.0 * kPi * i / kAround;
+      const double r = std::sqrt(1.0 - kHeights[j] * kHeights[j]);
+      const glm::dvec3 d(r * std::cos(phi), r * std::sin(phi), kHeights[j]);
+      const auto there = harmonicsAt(glm::dmat3(turn) * d);
+      glm::dvec3 value(0.0);
+      for (std::size_t k = 0; k < 9; ++k) value += glm::dvec3(f[k]) * there[k];
+      add(sums, d, value * (kWeights[j] * 2.0 * kPi / kAround));
+    }
+  Harmonics<glm::vec3> result{};
+  for (std::size_t k = 0; k < 9; ++k) result[k] = glm::vec3(sums[k]);
+  return result;
 }
 
 }  // namespace dermis

@@ -4,6 +4,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "core/bake/harmonics.h"
+#include "lighting/environment_bake.h"
 #include "lighting/radiance_image.h"
 
 namespace dermis {
@@ -12,5 +14,12 @@ namespace dermis {
 /// without the Condon-Shortley phase (Ramamoorthi & Hanrahan 2001, equation 3: Y_1−1 ∝ y, Y_10 ∝ z, Y_11 ∝ x), in
 /// Dermis's axes (+Y up). The sum goes over all pixels with their solid angles.
 [[nodiscard]] std::array<glm::dvec3, 9> sphericalHarmonics9(const RadianceMap& map);
+
+/// The same radiance from a cube that holds irradiance/π, which has lost everything but these coefficients' like: each
+/// is divided by what the clamped cosine multiplied it by.
+[[nodiscard]] Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance, bool floats);
+
+/// Coefficients of the function d ↦ f(turn · d).
+[[nodiscard]] Harmonics<glm::vec3> turned(const Harmonics<glm::vec3>& f, const glm::mat3& turn);
 
 }  // namespace dermis

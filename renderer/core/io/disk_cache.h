@@ -1,0 +1,14 @@
+// What the folders of cached bakes have in common.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace dermis {
+
+/// Removes files that end in `suffix`, those used longest ago first, until together they keep to `mostBytes`; the one
+/// used last stays. Use is the time of last modification: readers touch what they read.
+void trimDiskCache(const std::filesystem::path& folder, std::string_view suffix, std::uintmax_t mostBytes);
+
+}  // namespace dermis

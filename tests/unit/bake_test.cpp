@@ -1,0 +1,312 @@
+// What a mesh bake finds, against closed forms: form factors for hidden sky, shapes of known thickness.
+#include "core/bake/mesh_bake.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+#include <thread>
+
+#include "core/bake/bake_cache.h"
+#include "core/bake/bake_points.h"
+#include "core/bake/point_bake.h"
+#include "core/scene/primitives.h"
+#include "unit/temporary_folder.h"
+
+namespace dermis {
+namespace {
+
+constexpr float kPi = std::numbers::pi_v<float>;
+
+/// A rectangle of n×n cells from `corner` along two edges, facing their cross product.
+void addSheet(Model& model, const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b, int cells) {
+  const auto first = static_cast<std::uint32_t>(model.positions.size());
+  const glm::vec3 normal = glm::normalize(glm::cross(a, b));
+  for (int j = 0; j <= cells; ++j)
+    for (int i = 0; i <= cells; ++i) {
+      const glm::vec2 uv = glm::vec2(i, j) / static_cast<float>(cells);
+      model.positions.push_back(corner + a * uv.x + b * uv.y);
+      model.normals.push_back(normal);
+      model.tangents.emplace_back(glm::normalize(a), 1.0F);
+      model.uvs.push_back(uv);
+    }
+  const auto n = static_cast<std::uint32_t>(cells);
+  for (std::uint32_t j = 0; j < n; ++j)
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t v = first + j * (n + 1) + i;
+      for (const std::uint32_t corners : {v, v + 1, v + n + 2, v, v + n + 2, v + n + 1})
+        model.indices.push_back(corners);
+    }
+}
+
+/// One slot, scene units of a millimetre.
+Model finished(Model model) {
+  model.slots = {{"default", Material{}}};
+  model.parts = {{0, 0, static_cast<std::uint32_t>(model.indices.size())}};
+  for (const glm::vec3& p : model.positions) model.bounds.grow(p);
+  model.millimetresPerUnit = 1.0F;
+  return model;
+}
+
+/// Two facing sheets of 40 mm, `thickness` apart: the front at z = 0 looks to +Z.
+Model slab(float thickness, int cells = 20) {
+  Model model;
+  addSheet(model, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, cells);
+  addSheet(model, {-20, -20, -thickness}, {0, 40, 0}, {40, 0, 0}, cells);
+  return finished(std::move(model));
+}
+
+/// A sphere with its normals turned inwards appended to one without.
+Model shell(float outer, float inner) {
+  Model model = makeSphere(96);
+  Model hollow = makeSphere(96);
+  for (glm::vec3& n : hollow.normals) n = -n;
+  for (glm::vec3& p : model.positions) p *= outer;
+  for (glm::vec3& p : hollow.positions) p *= inner;
+  appendModel(model, hollow);
+  model.millimetresPerUnit = 1.0F;
+  return model;
+}
+
+RayScene sceneOf(const Model& model) {
+  auto scene = RayScene::create(model, {});
+  EXPECT_TRUE(scene.has_value());
+  return std::move(*scene);
+}
+
+float occlusionAt(const Model& model, const glm::vec3& p, const glm::vec3& n, int rays = 1024) {
+  return occlusionOf(hiddenSky(sceneOf(model), p, n, RaySet(rays, 90.0F)));
+}
+
+std::shared_ptr<const MeshBake> bakeOf(const Model& model, MeshBakeOptions options = {}) {
+  options.millimetresPerUnit = model.millimetresPerUnit;
+  auto bake = bakeMesh(model, options);
+  EXPECT_TRUE(bake.has_value());
+  return bake ? *bake : nullptr;
+}
+
+TEST(MeshBake, FootOfAnEndlessWallSeesHalfTheSky) {
+  Model model;
+  addSheet(model, {-1e4F, 0, 0}, {2e4F, 0, 0}, {0, 1e4F, 0}, 1);  // a wall at z = 0, facing +Z
+  const Model wall = finished(std::move(model));
+  EXPECT_NEAR(occlusionAt(wall, {0, 0, 0.5F}, {0, 1, 0}), 0.5F, 0.004F);
+  // From either side.
+  EXPECT_NEAR(occlusionAt(wall, {0, 0, -0.5F}, {0, 1, 0}), 0.5F, 0.004F);
+}
+
+TEST(MeshBake, WallOfKnownHeightHidesItsFormFactor) {
+  // An endless wall of height h at a distance d hides (1 − d/√(d² + h²))/2 of a horizontal element's sky.
+  const float h = 3.0F;
+  Model model;
+  addSheet(model, {-1e4F, 0, 0}, {2e4F, 0, 0}, {0, h, 0}, 1);
+  const Model wall = finished(std::move(model));
+  for (const float d : {1.0F, 2.0F, 4.0F, 8.0F}) {
+    const float expected = 1.0F - 0.5F * (1.0F - d / std::sqrt(d * d + h * h));
+    EXPECT_NEAR(occlusionAt(wall, {0, 0, d}, {0, 1, 0}), expected, 0.008F) << d;
+  }
+}
+
+TEST(MeshBake, ParallelRectangleHidesItsFormFactor) {
+  // Siegel & Howell, "Thermal Radiation Heat Transfer", configuration 4: an element and a parallel rectangle a × b
+  // whose corner lies above it at height c; four of them make one centred above it.
+  const float a = 2.0F, b = 3.0F, c = 1.5F;
+  Model model;
+  addSheet(model, {-a, c, -b}, {2 * a, 0, 0}, {0, 0, 2 * b}, 1);
+  const Model lid = finished(std::move(model));
+  const float x = a / c, y = b / c, rx = std::sqrt(1 + x * x), ry = std::sqrt(1 + y * y);
+  const float corner = (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry)) / (2 * kPi);
+  EXPECT_NEAR(occlusionAt(lid, {0, 0, 0}, {0, 1, 0}), 1.0F - 4.0F * corner, 0.004F);
+}
+
+TEST(MeshBake, HiddenSkyHasTheRightDirection) {
+  // Below a lid that covers the half z > 0 of the sky, light from +Z is gone and light from −Z is not: against
+  // quadrature over the hemisphere.
+  Model model;
+  addSheet(model, {-1e4F, 0, 0}, {2e4F, 0, 0}, {0, 1e4F, 0}, 1);
+  const Model wall = finished(std::move(model));
+  const Harmonics<float> hidden = hiddenSky(sceneOf(wall), {0, 0, -0.01F}, {0, 1, 0}, RaySet(1024, 90.0F));
+  Harmonics<double> expected{};
+  const int n = 400;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double y = std::sqrt((j + 0.5) / n), r = std::sqrt(1 - y * y), phi = std::numbers::pi * (i + 0.5) / n;
+      const Harmonics<double> basis = harmonicsAt(glm::dvec3(r * std::cos(phi), y, r * std::sin(phi)));
+      for (std::size_t k = 0; k < 9; ++k) expected[k] += basis[k] / (2.0 * n * n);
+    }
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(hidden[k], expected[k], 0.004) << k;
+}
+
+TEST(MeshBake, ConvexBodySeesTheWholeSky) {
+  const auto bake = bakeOf(makeSphere(64));
+  for (const VertexBake& vertex : bake->vertices) EXPECT_EQ(occlusionOf(vertex.hiddenSky), 1.0F);
+}
+
+TEST(MeshBake, SlabsHaveTheirThickness) {
+  for (const float thickness : {0.5F, 1.0F, 2.0F, 4.0F, 8.0F}) {
+    const Model model = slab(thickness);
+    const auto bake = bakeOf(model);
+    for (std::size_t v = 0; v < model.positions.size(); ++v) {
+      const bool rim = std::abs(model.positions[v].x) > 12 || std::abs(model.positions[v].y) > 12;
+      if (rim) continue;
+      ASSERT_NEAR(bake->vertices[v].thicknessMm, thickness, 0.002F * thickness) << v;
+    }
+  }
+}
+
+TEST(MeshBake, ThicknessFollowsTheUnit) {
+  Model model = slab(4.0F);
+  for (glm::vec3& p : model.positions) p *= 0.001F;
+  model.millimetresPerUnit = 1000.0F;
+  EXPECT_NEAR(bakeOf(model)->vertices[21 * 10 + 10].thicknessMm, 4.0F, 0.01F);
+}
+
+TEST(MeshBake, ThicknessOfASphereIsThatOfItsCone) {
+  Model model = makeSphere(128);
+  model.millimetresPerUnit = 1.0F;
+  const auto bake = bakeOf(model);
+  for (const std::uint32_t i : model.indices) ASSERT_NEAR(bake->vertices[i].thicknessMm, 1.75F, 0.01F);
+}
+
+TEST(MeshBake, ThicknessOfAShellIsItsWall) {
+  const Model model = shell(20.0F, 18.0F);
+  const auto bake = bakeOf(model);
+  for (const std::uint32_t i : model.indices) ASSERT_NEAR(bake->vertices[i].thicknessMm, 2.0F, 0.12F);
+}
+
+TEST(MeshBake, OpenSheetIsThick) {
+  Model model;
+  addSheet(model, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, 8);
+  const auto bake = bakeOf(finished(std::move(model)));
+  for (const VertexBake& vertex : bake->vertices) EXPECT_EQ(vertex.thicknessMm, kThickestMm);
+}
+
+TEST(MeshBake, WhatLiesInsideIsPassedThrough) {
+  // A ball of 10 mm inside a slab of 30: the light goes through both.
+  Model model = slab(30.0F);
+  Model ball = makeSphere(32);
+  for (glm::vec3& p : ball.positions) p = p * 5.0F + glm::vec3(0, 0, -15);
+  appendModel(model, ball);
+  model.millimetresPerUnit = 1.0F;
+  EXPECT_NEAR(bakeOf(model)->vertices[21 * 10 + 10].thicknessMm, 30.0F, 0.01F);
+}
+
+TEST(MeshBake, FarSideOfASlabSeesItsOwnSky) {
+  const Model model = slab(2.0F);
+  const auto bake = bakeOf(model);
+  const VertexBake& front = bake->vertices[21 * 10 + 10];
+  const Harmonics<float> open = harmonicsAt(glm::vec3(0, 0, -1));
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(front.farSky[k], kCosineLobe<float>[k] * open[k], 1e-3F) << k;
+}
+
+TEST(MeshBake, FarSideInTheDarkReceivesNothing) {
+  // Inside a closed shell there is no sky.
+  const Model model = shell(20.0F, 18.0F);
+  const auto bake = bakeOf(model);
+  for (std::size_t v = 0; v < model.positions.size() / 2; ++v)
+    ASSERT_NEAR(bake->vertices[v].farSky[0], 0.0F, 0.01F) << v;
+}
+
+TEST(MeshBake, LensesNeitherStopLightNorAreBaked) {
+  Model model = makeSphere(32);
+  Model lens = makeSphere(32);
+  for (glm::vec3& p : lens.positions) p *= 1.1F;
+  appendModel(model, lens);
+  MeshBakeOptions options;
+  options.castingSlots = {true, false};
+  const auto bake = bakeOf(model, options);
+  EXPECT_EQ(occlusionOf(bake->vertices[40].hiddenSky), 1.0F);
+  EXPECT_EQ(bake->vertices.back(), VertexBake{});
+  options.castingSlots = {};
+  EXPECT_LT(occlusionOf(bakeOf(model, options)->vertices[40].hiddenSky), 0.01F);
+}
+
+TEST(MeshBake, SameModelGivesTheSameBytes) {
+  const Model model = shell(20.0F, 18.0F);
+  EXPECT_EQ(bakeOf(model)->vertices, bakeOf(model)->vertices);
+}
+
+TEST(MeshBake, DenseMeshIsBakedInPart) {
+  // A ball that hovers over a plane; the plane's occlusion must not depend on how many of its points are baked.
+  Model model;
+  addSheet(model, {-20, -20, 0}, {40, 0, 0}, {0, 40, 0}, 120);
+  Model ball = makeSphere(32);
+  for (glm::vec3& p : ball.positions) p = p * 6.0F + glm::vec3(0, 0, 8);
+  model = finished(std::move(model));
+  appendModel(model, ball);
+  model.millimetresPerUnit = 1.0F;
+  MeshBakeOptions few;
+  few.mostPoints = 3000;
+  const BakePoints points = bakePoints(model, {});
+  EXPECT_LE(representatives(points, few.mostPoints).size(), few.mostPoints);
+  EXPECT_EQ(representatives(points, 1'000'000).size(), points.positions.size());
+  const auto all = bakeOf(model);
+  const auto some = bakeOf(model, few);
+  const std::size_t planes = 121 * 121;
+  for (std::size_t v = 0; v < planes; ++v)
+    ASSERT_NEAR(occlusionOf(all->vertices[v].hiddenSky), occlusionOf(some->vertices[v].hiddenSky), 0.05F) << v;
+}
+
+TEST(MeshBake, SeamsAreOnePoint) {
+  Model model;
+  addSheet(model, {-20, -20, 0}, {20, 0, 0}, {0, 40, 0}, 4);
+  addSheet(model, {0, -20, 0}, {20, 0, 0}, {0, 40, 0}, 4);
+  const BakePoints points = bakePoints(finished(std::move(model)), {});
+  EXPECT_EQ(points.ofVertex[4], points.ofVertex[25]);  // the right end of one row, the left end of the other's
+  EXPECT_EQ(points.positions.size(), 45U);
+}
+
+TEST(MeshBake, CacheHoldsWhatWasBaked) {
+  const test::TemporaryFolder folder;
+  const Model model = slab(2.0F);
+  MeshBakeOptions options;
+  options.cacheFolder = folder.path();
+  const auto first = bakeOf(model, options);
+  options.millimetresPerUnit = model.millimetresPerUnit;
+  const auto file = meshBakeFile(model, options);
+  ASSERT_TRUE(std::filesystem::exists(file));
+  const auto read = readMeshBake(file, model.positions.size());
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->vertices, first->vertices);
+  EXPECT_FALSE(readMeshBake(file, model.positions.size() + 1).has_value());
+
+  // One bit gone wrong: not taken.
+  std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekg(500);
+  const int byte = stream.get();
+  stream.seekp(500);
+  stream.put(static_cast<char>(byte ^ 4));
+  stream.close();
+  EXPECT_FALSE(readMeshBake(file, model.positions.size()).has_value());
+
+  // Another model, another file.
+  Model moved = model;
+  moved.positions.front().x += 1e-4F;
+  EXPECT_NE(meshBakeFile(moved, options), file);
+  MeshBakeOptions otherUnit = options;
+  otherUnit.millimetresPerUnit = 2.0F;
+  EXPECT_NE(meshBakeFile(model, otherUnit), file);
+}
+
+TEST(MeshBake, StopsWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  MeshBakeOptions options;
+  options.stop = stop.get_token();
+  const auto bake = bakeMesh(slab(2.0F), options);
+  ASSERT_FALSE(bake.has_value());
+  EXPECT_EQ(bake.error().kind, Error::Kind::Cancelled);
+}
+
+TEST(MeshBake, NothingToBakeIsNoError) {
+  Model model = slab(2.0F);
+  MeshBakeOptions options;
+  options.castingSlots = {false};
+  const auto bake = bakeOf(model, options);
+  EXPECT_EQ(bake->vertices.front(), VertexBake{});
+}
+
+}  // namespace
+}  // namespace dermis
