@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lighting/environment_map.h"
+#include "lighting/spherical_harmonics.h"
 #include "passes/accumulate_pass.h"
 #include "passes/read_back.h"
 #include "passes/sky_pass.h"
@@ -200,6 +201,11 @@ void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statis
   block.environmentFromWorld = environmentFromWorld(environment.rotationDegrees);
   const EnvironmentMap* map = frame.resources.environment();
   block.environmentScale.x = map != nullptr ? std::exp2(environment.exposureStops) * map->scale() : 0.0F;
+  if (map != nullptr) {
+    const Harmonics<glm::vec3> harmonics = turned(map->harmonics(), glm::mat3(block.environmentFromWorld));
+    for (std::size_t i = 0; i < harmonics.size(); ++i)
+      block.environmentHarmonics.at(i) = glm::vec4(harmonics[i] * block.environmentScale.x, 0.0F);
+  }
   const glm::vec2 size(frame.request.size);
   block.viewport = {size, 1.0F / size};
   block.units.x = frame.scene.millimetresPerUnit;

@@ -58,7 +58,8 @@ class GlRenderer final : public Renderer {
     Warnings messages;
     m_resources.upload(m_statistics, messages);
     for (const std::string& message : messages) m_messages.say(message);
-    const std::uint64_t revision = m_sceneRevision + m_resources.environmentRevision() + m_shaderRevision;
+    const std::uint64_t revision =
+        m_sceneRevision + m_resources.environmentRevision() + m_resources.meshBakeRevision() + m_shaderRevision;
     return m_frame.draw(request, m_resources, revision, m_statistics);
   }
 
@@ -72,10 +73,11 @@ class GlRenderer final : public Renderer {
     if (m_failed.empty() && !messages.empty()) m_failed = messages.front();
     return left;
   }
+  bool drawable() const override { return m_jobs.onlyLastLeft(); }
   std::pair<std::string, double> jobProgress() const override { return m_jobs.progress(); }
   void cancelJobs() override {
     m_jobs.cancel();
-    m_resources.environmentCancelled();
+    m_resources.jobsCancelled();
   }
   Result<void> finishJobs() override {
     Result<void> finished = m_jobs.finish();
@@ -104,6 +106,7 @@ class GlRenderer final : public Renderer {
     statistics.programsCompiled = m_shaders.compileCount();
     statistics.environmentsBaked = m_resources.environmentsBaked();
     statistics.environmentsFromCache = m_resources.environmentsFromCache();
+    statistics.meshesBaked = m_resources.meshBakeRevision();
     statistics.displayProgramsBuilt = m_frame.displayProgramsBuilt();
     statistics.glErrors = m_debug.count();
     return statistics;

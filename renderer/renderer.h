@@ -43,7 +43,8 @@ struct GlInfo {
 };
 
 struct RendererOptions {
-  std::filesystem::path cacheFolder;  ///< for baked environments; empty: no disk cache
+  std::filesystem::path cacheFolder;  ///< for baked environments and models; empty: no disk cache
+  bool bakeMeshes = false;            ///< thickness and hidden sky of models, as a job, where a material uses them
   bool failOnGlError = false;         ///< tests: any GL error or high-severity debug message is recorded as a failure
   std::string platform = "widget";
   int maximumTextureSize = 0;    ///< larger maps are averaged down, with a message; 0: what the driver takes
@@ -68,7 +69,8 @@ struct FrameRequest {
 /// Counters of what was really done, for tests and the statistics line; cumulative since create().
 struct RenderStatistics {
   std::uint64_t frames = 0, programsCompiled = 0, texturesUploaded = 0, geometryUploads = 0, environmentsBaked = 0,
-                environmentsFromCache = 0, uniformBlocksUploaded = 0, displayProgramsBuilt = 0, glErrors = 0;
+                environmentsFromCache = 0, meshesBaked = 0, uniformBlocksUploaded = 0, displayProgramsBuilt = 0,
+                glErrors = 0;
   std::uint64_t texturesReleased = 0, shadowMapsDrawn = 0, diffusionKernelsMade = 0;
   std::size_t residentTextures = 0, triangles = 0;
   int samples = 0, targetSamples = 0;  ///< of the picture shown last
@@ -99,6 +101,8 @@ class Renderer {
   /// Runs queued GPU jobs (environment bakes, program warm-up) for about `budgetMs`, at least one slice; true while
   /// some are left. The last complete environment stays in use until the next one is complete.
   virtual bool runJobs(double budgetMs) = 0;
+  /// Whether programs and environment are there: jobs that are left only make the picture better.
+  [[nodiscard]] virtual bool drawable() const = 0;
   /// 0..1 of the job in progress and what it is; empty text when idle.
   [[nodiscard]] virtual std::pair<std::string, double> jobProgress() const = 0;
   /// Drops queued jobs: the last complete environment stays.

@@ -9,6 +9,7 @@ Outcome<HeadlessRenderer> HeadlessRenderer::create(bool cached) {
   headless.m_context = std::move(*context);
   RendererOptions options;
   if (cached) options.cacheFolder = cacheFolder();
+  options.bakeMeshes = true;
   options.platform = headless.m_context->platform();
   auto renderer = Renderer::create(options);
   if (!renderer) return failure(renderer.error());

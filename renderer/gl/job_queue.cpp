@@ -37,25 +37,36 @@ std::unique_ptr<Job> makeJob(std::string text, std::function<Result<bool>()> ste
 
 void JobQueue::add(Kind kind, std::unique_ptr<Job> job) {
   cancel(kind);
-  m_jobs.emplace_back(std::move(kind), std::move(job));
+  insert({std::move(kind), std::move(job), false}, false);
+}
+
+void JobQueue::addLast(Kind kind, std::unique_ptr<Job> job) {
+  cancel(kind);
+  insert({std::move(kind), std::move(job), true}, false);
+}
+
+void JobQueue::insert(Entry entry, bool inFront) {
+  const auto firstLast = std::find_if(m_jobs.begin(), m_jobs.end(), [](const Entry& e) { return e.last; });
+  const auto place = entry.last ? (inFront ? firstLast : m_jobs.end()) : (inFront ? m_jobs.begin() : firstLast);
+  m_jobs.insert(place, std::move(entry));
 }
 
 void JobQueue::cancel(const Kind& kind) {
-  std::erase_if(m_jobs, [&](const auto& entry) { return entry.first == kind; });
+  std::erase_if(m_jobs, [&](const auto& entry) { return entry.kind == kind; });
 }
 
 Result<void> JobQueue::runSlice() {
   const Clock::time_point start = Clock::now();
   // Out of the queue while it runs: a job may add others.
-  auto [kind, job] = std::move(m_jobs.front());
+  Entry entry = std::move(m_jobs.front());
   m_jobs.pop_front();
-  const Result<bool> done = job->step();
+  const Result<bool> done = entry.job->step();
   glFinish();
   m_longestSliceMs = std::max(m_longestSliceMs, millisecondsSince(start));
   if (!done) return tl::unexpected(done.error());
   const bool replaced =
-      std::any_of(m_jobs.begin(), m_jobs.end(), [&kind = kind](const auto& entry) { return entry.first == kind; });
-  if (!*done && !replaced) m_jobs.emplace_front(std::move(kind), std::move(job));
+      std::any_of(m_jobs.begin(), m_jobs.end(), [&](const Entry& other) { return other.kind == entry.kind; });
+  if (!*done && !replaced) insert(std::move(entry), true);
   return {};
 }
 
@@ -77,7 +88,7 @@ Result<void> JobQueue::finish() {
 
 std::pair<std::string, double> JobQueue::progress() const {
   if (m_jobs.empty()) return {};
-  return {m_jobs.front().second->text(), m_jobs.front().second->fraction()};
+  return {m_jobs.front().job->text(), m_jobs.front().job->fraction()};
 }
 
 }  // namespace dermis::gl

@@ -33,6 +33,8 @@ class JobQueue {
   using Kind = std::string;
 
   void add(Kind kind, std::unique_ptr<Job> job);
+  /// The same for what only makes a picture better that could be shown already: it comes after all others.
+  void addLast(Kind kind, std::unique_ptr<Job> job);
   /// Runs slices for about `budgetMs`, at least one; waits for each slice's GPU work, since a software renderer does
   /// nothing before it is asked for results. True while jobs are left. Errors go to `messages`.
   bool run(double budgetMs, Warnings& messages);
@@ -42,15 +44,24 @@ class JobQueue {
   void cancel(const Kind& kind);
 
   [[nodiscard]] bool idle() const { return m_jobs.empty(); }
+  /// Whether nothing is left but what addLast() took.
+  [[nodiscard]] bool onlyLastLeft() const { return m_jobs.empty() || m_jobs.front().last; }
   /// Text and fraction of the job in progress; empty when idle.
   [[nodiscard]] std::pair<std::string, double> progress() const;
   /// The longest slice so far in milliseconds.
   [[nodiscard]] double longestSliceMs() const { return m_longestSliceMs; }
 
  private:
+  struct Entry {
+    Kind kind;
+    std::unique_ptr<Job> job;
+    bool last = false;
+  };
+  /// Puts an entry in front of (or behind) those of its sort.
+  void insert(Entry entry, bool inFront);
   Result<void> runSlice();
 
-  std::deque<std::pair<Kind, std::unique_ptr<Job>>> m_jobs;
+  std::deque<Entry> m_jobs;
   double m_longestSliceMs = 0.0;
 };
 

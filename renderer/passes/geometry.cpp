@@ -1,5 +1,7 @@
 #include "passes/geometry.h"
 
+#include <array>
+#include <glm/gtc/packing.hpp>
 #include <span>
 
 namespace dermis {
@@ -9,6 +11,21 @@ namespace {
 struct Vertex {
   glm::vec4 positionU, normalV, tangent;
 };
+
+/// A VertexBake in half floats, as resources/shaders/mesh_bake.glsl takes it.
+using BakedVertex = std::array<std::uint16_t, 20>;
+constexpr GLuint kFirstBaked = 3, kBakedVectors = 5, kBakedBinding = 1;
+constexpr std::size_t kThicknessAt = 9;
+
+BakedVertex packed(const VertexBake& bake) {
+  BakedVertex halves{};
+  for (std::size_t i = 0; i < 9; ++i) {
+    halves[i] = glm::packHalf1x16(bake.hiddenSky[i]);
+    halves[kThicknessAt + 1 + i] = glm::packHalf1x16(bake.farSky[i]);
+  }
+  halves[kThicknessAt] = glm::packHalf1x16(bake.thicknessMm);
+  return halves;
+}
 
 }  // namespace
 
@@ -39,6 +56,31 @@ Geometry Geometry::upload(const Model& model) {
     geometry.m_partCentres.push_back(bounds.centre());
   }
   return geometry;
+}
+
+void Geometry::setBake(const MeshBake* bake) {
+  const GLuint id = m_vertexArray.id();
+  const std::size_t vertexBytes = sizeof(BakedVertex);
+  if (bake != nullptr) {
+    std::vector<BakedVertex> vertices;
+    vertices.reserve(bake->vertices.size());
+    for (const VertexBake& vertex : bake->vertices) vertices.push_back(packed(vertex));
+    m_baked = gl::Buffer::fixed("mesh bake", std::as_bytes(std::span(vertices)));
+    glVertexArrayVertexBuffer(id, kBakedBinding, m_baked.id(), 0, static_cast<GLsizei>(vertexBytes));
+  }
+  for (GLuint i = 0; i < kBakedVectors; ++i) {
+    (bake != nullptr ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(id, kFirstBaked + i);
+    glVertexArrayAttribFormat(id, kFirstBaked + i, 4, GL_HALF_FLOAT, GL_FALSE, i * 4 * sizeof(std::uint16_t));
+    glVertexArrayAttribBinding(id, kFirstBaked + i, kBakedBinding);
+  }
+}
+
+void Geometry::bind() const {
+  m_vertexArray.bind();
+  // What vertices read that have nothing baked: these values belong to the context, not to the array.
+  for (GLuint i = 0; i < kBakedVectors; ++i) glVertexAttrib4f(kFirstBaked + i, 0.0F, 0.0F, 0.0F, 0.0F);
+  constexpr GLuint kThicknessVector = kFirstBaked + kThicknessAt / 4;
+  glVertexAttrib4f(kThicknessVector, 0.0F, -1.0F, 0.0F, 0.0F);
 }
 
 void Geometry::draw(const ModelPart& part) const {

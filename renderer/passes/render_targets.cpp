@@ -128,11 +128,15 @@ Result<void> RenderTargets::prepareSurfaces() {
   if (m_surfaces) return {};
   m_surface = gl::Texture::create({.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "surface"});
   m_tangent = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "tangent"});
+  m_sky = gl::Texture::create({.format = GL_RGBA8, .width = m_size.x, .height = m_size.y, .label = "sky share"});
+  m_far = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "far side"});
   m_surfaces = gl::Framebuffer::create("surfaces");
   m_surfaces.attachColour(0, m_surface);
   m_surfaces.attachColour(1, m_tangent);
+  m_surfaces.attachColour(2, m_sky);
+  m_surfaces.attachColour(3, m_far);
   m_surfaces.attachDepth(m_depth);
-  m_surfaces.drawTo(2);
+  m_surfaces.drawTo(4);
   if (!m_shading) m_shading = framebufferOf(kSurfaceImages, "shading", false);
   if (auto complete = m_surfaces.check(); !complete) return complete;
   return m_shading.check();
@@ -143,6 +147,9 @@ void RenderTargets::bindSurfaces() const {
   m_surface.bind(kFirstUnit);
   m_tangent.bind(kFirstUnit + 1);
   m_depth.bind(kFirstUnit + 2);
+  constexpr GLuint kBakedUnit = 29;
+  m_sky.bind(kBakedUnit);
+  m_far.bind(kBakedUnit + 1);
 }
 
 Result<void> RenderTargets::prepareSums(SceneImages images) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/material/parameter_table.h"
+#include "core/material/scattering_length.h"
 
 namespace dermis {
 
@@ -35,7 +36,8 @@ bool cullsBackFaces(const Material& material) {
 bool isBlended(const Material& material) { return drawKindOf(material) != DrawKind::Opaque; }
 
 bool samePicture(const ResolvedScene& a, const ResolvedScene& b) {
-  if (a.model != b.model || a.millimetresPerUnit != b.millimetresPerUnit || a.slots.size() != b.slots.size())
+  if (a.model != b.model || a.bake != b.bake || a.millimetresPerUnit != b.millimetresPerUnit ||
+      a.slots.size() != b.slots.size())
     return false;
   if (!sameEnvironment(a.environment, b.environment)) return false;
   const EnvironmentSource& ea = a.scene.environment;
@@ -81,6 +83,7 @@ bool SceneResources::setScene(std::shared_ptr<const ResolvedScene> scene, gl::Jo
   const bool changed = !m_scene || !scene || !samePicture(*m_scene, *scene);
   m_scene = std::move(scene);
   m_stale = true;
+  if (m_scene && m_options.bakeMeshes) m_meshBakes.want(*m_scene, m_options.cacheFolder, jobs);
   if (!m_scene || !m_scene->environment) return changed;
 
   if (!sameEnvironment(m_scene->environment, m_wantedEnvironment)) {
@@ -108,11 +111,15 @@ bool SceneResources::setScene(std::shared_ptr<const ResolvedScene> scene, gl::Jo
 }
 
 void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
-  if (!m_stale || !m_scene) return;
+  if (!m_scene) return;
+  if (m_geometry && m_model == m_scene->model) uploadBake();
+  if (!m_stale) return;
   m_stale = false;
   if (m_model != m_scene->model) {
     m_geometry = Geometry::upload(*m_scene->model);
     m_model = m_scene->model;
+    m_bake = nullptr;
+    uploadBake();
     ++statistics.geometryUploads;
     statistics.triangles = m_model->indices.size() / 3;
   }
@@ -123,6 +130,14 @@ void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
   statistics.texturesUploaded = m_textures.uploaded();
   statistics.texturesReleased = m_textures.released();
   statistics.residentTextures = m_textures.resident();
+}
+
+void SceneResources::uploadBake() {
+  std::shared_ptr<const MeshBake> bake = m_meshBakes.of(*m_scene);
+  if (bake && bake->vertices.size() != m_model->positions.size()) bake = nullptr;
+  if (bake == m_bake) return;
+  m_geometry->setBake(bake.get());
+  m_bake = std::move(bake);
 }
 
 int presentMaps(const ResolvedScene& scene, std::size_t slot) {
@@ -170,6 +185,8 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   slot.constantMaps = m_software ? std::optional<int>(draw.mapBits.x) : std::nullopt;
   draw.mapBits.z = hasUvs ? 1 : 0;
   draw.mapBits.w = m_kernels.id(index);
+  const ScatteringLength scattering = scatteringLength(source.material.parameters);
+  draw.scattering = glm::vec4(scattering.mm, static_cast<float>(scattering.reading));
   slot.textures = std::move(textures);
   const bool isNew = !slot.drawBlock;
   if (isNew) slot.drawBlock = gl::Buffer::writable("draw block", sizeof(DrawBlock));

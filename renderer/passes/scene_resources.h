@@ -13,6 +13,7 @@
 #include "lighting/environment_map.h"
 #include "passes/diffusion_kernels.h"
 #include "passes/geometry.h"
+#include "passes/mesh_bake_job.h"
 #include "passes/texture_cache.h"
 #include "passes/uniform_blocks.h"
 #include "renderer.h"
@@ -66,13 +67,20 @@ class SceneResources {
   void bindSlot(const SlotResources& slot) const;
   void unbindSamplers() const;
 
-  /// Forgets that an environment was asked for: the next setScene() asks again.
-  void environmentCancelled() { m_wantedEnvironment = m_environmentOf; }
+  /// Grows whenever more is known of the model's vertices.
+  [[nodiscard]] std::uint64_t meshBakeRevision() const { return m_meshBakes.revision(); }
+
+  /// Forgets what jobs were for: another environment or model asks again.
+  void jobsCancelled() {
+    m_wantedEnvironment = m_environmentOf;
+    m_meshBakes.cancelled();
+  }
   [[nodiscard]] std::uint64_t environmentsBaked() const { return m_environmentsBaked; }
   [[nodiscard]] std::uint64_t environmentsFromCache() const { return m_environmentsFromCache; }
   [[nodiscard]] Warnings takeEnvironmentWarnings() { return std::exchange(m_environmentWarnings, {}); }
 
  private:
+  void uploadBake();
   void uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages);
 
   RendererOptions m_options;
@@ -82,6 +90,8 @@ class SceneResources {
 
   std::shared_ptr<const Model> m_model;  ///< the one m_geometry is of
   std::optional<Geometry> m_geometry;
+  MeshBakes m_meshBakes;
+  std::shared_ptr<const MeshBake> m_bake;  ///< the one m_geometry has
   std::vector<SlotResources> m_slots;
   DiffusionKernels m_kernels;
   TextureCache m_textures;

@@ -31,9 +31,10 @@ struct FrameBlock {
   glm::ivec4 lightCount{0};
   glm::vec4 units{1.0F};
   std::array<LightBlock, kMaxLights> lights{};
+  std::array<glm::vec4, 9> environmentHarmonics{};
 };
 static_assert(sizeof(LightBlock) == 64);
-static_assert(sizeof(FrameBlock) == 416 + kMaxLights * sizeof(LightBlock));
+static_assert(sizeof(FrameBlock) == 416 + kMaxLights * sizeof(LightBlock) + 9 * 16);
 
 struct SampleBlock {
   glm::ivec4 sampling{0};
@@ -48,8 +49,9 @@ struct MapBlock {
 struct DrawBlock {
   std::array<MapBlock, kTextureSlotCount> maps{};
   glm::ivec4 mapBits{0};
+  glm::vec4 scattering{0.0F};
 };
-static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 16);
+static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 32);
 
 template <class Block>
 [[nodiscard]] std::span<const std::byte> bytesOf(const Block& block) {

@@ -10,4 +10,5 @@ struct MapData {
 layout(std140, binding = 2) uniform DrawBlock {
   MapData u_maps[13];  // by TextureSlot
   ivec4 u_map_bits;    // x present, y flip green, each a bit a slot; z 1 if the mesh has texture coordinates; w profile id
+  vec4 u_scattering;   // rgb the length that the body's scattering has, mm; w what it means, see transmission.glsl
 };

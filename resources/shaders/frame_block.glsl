@@ -20,6 +20,7 @@ layout(std140, binding = 0) uniform FrameBlock {
   ivec4 u_light_count;            // x
   vec4 u_units;                   // x millimetres per scene unit
   LightData u_lights[16];
+  vec4 u_environment_harmonics[9];  // rgb radiance in real spherical harmonics in world axes, exposure included
 };
 
 // What differs from one accumulated sample to the next. C++ twin: SampleBlock.

@@ -63,6 +63,18 @@ float occlusionMap(vec2 uv, float strength) {
   return 1.0 + strength * (clamp(scalarMap(u_map_occlusion, kMapOcclusion, uv), 0.0, 1.0) - 1.0);
 }
 
+// Ambient occlusion, and the share of the environment's irradiance that arrives: the map's where there is one, else what was baked of the
+// mesh.
+float skyShare(Surface s, float strength, out vec3 share) {
+  if (hasMap(kMapOcclusion)) {
+    float ao = occlusionMap(s.uv, strength);
+    share = vec3(ao);
+    return ao;
+  }
+  share = 1.0 + strength * (s.sky_share - 1.0);
+  return 1.0 + strength * (s.baked_occlusion - 1.0);
+}
+
 // A normal map's texel as a direction in the tangent frame, its slope multiplied by `strength` and by the slot's scale.
 vec3 tangentNormal(sampler2D map, int slot, vec2 uv, float strength) {
   vec3 n = texture(map, uv).xyz * 2.0 - 1.0;

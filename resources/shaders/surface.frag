@@ -10,12 +10,16 @@
 layout(binding = 21) uniform sampler2D u_surface;
 layout(binding = 22) uniform sampler2D u_tangent;
 layout(binding = 23) uniform sampler2D u_depth;
+layout(binding = 29) uniform sampler2D u_sky;
+layout(binding = 30) uniform sampler2D u_far;
 uniform int u_slot;  // shades the pixels of this one
 #else
 in vec3 v_position;
 in vec3 v_normal;
 in vec4 v_tangent;
 in vec2 v_uv;
+in vec4 v_sky;
+in vec4 v_far;
 #endif
 
 // What is written, by location (SceneImage in renderer/passes/render_targets.h). Radiances are premultiplied.
@@ -58,9 +62,11 @@ Surface surfaceHere() {
   s.tangent = vec4(tangent.xyz, (code & 1) != 0 ? 1.0 : -1.0);
   s.uv = surface.xy;
   s.front_facing = (code & 2) != 0;
-  s.baked_occlusion = 1.0;
-  s.baked_thickness_mm = -1.0;
-  s.sky_share = vec3(1.0);
+  vec4 sky = texelFetch(u_sky, pixel, 0), far = texelFetch(u_far, pixel, 0);
+  s.sky_share = sky.rgb;
+  s.baked_occlusion = sky.a;
+  s.far_light = far.rgb;
+  s.baked_thickness_mm = far.a;
   return s;
 }
 #else
@@ -72,9 +78,10 @@ Surface surfaceHere() {
   s.tangent = v_tangent;
   s.uv = v_uv;
   s.front_facing = gl_FrontFacing;
-  s.baked_occlusion = 1.0;
-  s.baked_thickness_mm = -1.0;
-  s.sky_share = vec3(1.0);
+  s.sky_share = v_sky.rgb;
+  s.baked_occlusion = v_sky.a;
+  s.far_light = v_far.rgb;
+  s.baked_thickness_mm = v_far.a;
   return s;
 }
 #endif

@@ -1,5 +1,6 @@
 // Geometry to the screen. Model transforms were applied when the file was read, so model space is world space.
 #include "frame_block.glsl"
+#include "mesh_bake.glsl"
 
 layout(location = 0) in vec4 a_position_u;
 layout(location = 1) in vec4 a_normal_v;
@@ -9,11 +10,16 @@ out vec3 v_position;
 out vec3 v_normal;
 out vec4 v_tangent;
 out vec2 v_uv;
+out vec4 v_sky;  // share of the environment's irradiance that arrives; ambient occlusion
+out vec4 v_far;  // irradiance/π of the far side; thickness in mm
 
 void main() {
   v_position = a_position_u.xyz;
   v_normal = a_normal_v.xyz;
   v_tangent = a_tangent;
   v_uv = vec2(a_position_u.w, a_normal_v.w);
+  BakedSky sky = bakedSky(a_normal_v.xyz);
+  v_sky = vec4(sky.share, sky.open);
+  v_far = vec4(sky.far_light, a_hidden_8.y);
   gl_Position = u_view_projection * vec4(a_position_u.xyz, 1.0);
 }

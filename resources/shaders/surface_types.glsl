@@ -14,6 +14,7 @@ struct Surface {
   float baked_occlusion;     // share of the sky that the mesh itself leaves free; 1 where nothing is known
   float baked_thickness_mm;  // of the material behind the point; negative where nothing is known
   vec3 sky_share;            // the environment's irradiance in the mesh's own shadow over what it is without
+  vec3 far_light;            // the environment's irradiance/π on the far side of the material
 };
 
 // Light through the body is split in two, because what lies between is diffusion: `entering` is what goes in, as the radiance that a

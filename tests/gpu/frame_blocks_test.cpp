@@ -83,6 +83,7 @@ TEST_F(FrameBlocks, FrameBlockMatchesItsTwin) {
   at("u_lights[0].radiant_inner", lights + offsetof(LightBlock, radiantInner));
   at("u_lights[0].size", lights + offsetof(LightBlock, size));
   at("u_lights[15].size", lights + 15 * sizeof(LightBlock) + offsetof(LightBlock, size));
+  at("u_environment_harmonics[0]", offsetof(FrameBlock, environmentHarmonics));
 }
 
 TEST_F(FrameBlocks, DrawBlockMatchesItsTwin) {
@@ -94,6 +95,7 @@ TEST_F(FrameBlocks, DrawBlockMatchesItsTwin) {
   EXPECT_EQ(offsetOf(program, "u_maps[0].transform"), static_cast<GLint>(offsetof(MapBlock, transform)));
   EXPECT_EQ(offsetOf(program, "u_maps[12].transform"), static_cast<GLint>(12 * sizeof(MapBlock) + 16));
   EXPECT_EQ(offsetOf(program, "u_map_bits"), static_cast<GLint>(offsetof(DrawBlock, mapBits)));
+  EXPECT_EQ(offsetOf(program, "u_scattering"), static_cast<GLint>(offsetof(DrawBlock, scattering)));
 }
 
 TEST(FrameMaps, ScaleAndInvertFoldIntoOneMultiplyAdd) {

@@ -96,6 +96,7 @@ Result<void> drawPicture(QOffscreenSurface& surface, const std::shared_ptr<const
   {
     RendererOptions options;
     options.cacheFolder = cacheFolder;
+    options.bakeMeshes = true;
     Result<std::unique_ptr<Renderer>> renderer = Renderer::create(options);
     if (!renderer) {
       result = tl::unexpected(renderer.error());

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/scene/cameras.h"
 #include "ui/document/document.h"
@@ -84,6 +85,7 @@ void Viewport::initializeGL() {
   RendererOptions options;
   options.cacheFolder =
       toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  options.bakeMeshes = true;
   options.platform = "widget";
   Result<std::unique_ptr<Renderer>> renderer = Renderer::create(options);
   if (!renderer) {
@@ -112,7 +114,7 @@ void Viewport::paintGL() {
     m_renderer->setScene(scene);
     m_drawn = scene;
   }
-  if (m_firstFrame && m_renderer->runJobs(kJobSliceMs)) {
+  if (m_firstFrame && m_renderer->runJobs(kJobSliceMs) && !m_renderer->drawable()) {
     // Nothing to show yet; the window answers while programs and environment are made.
     m_jobsLeft = true;
     scheduleNext();
@@ -182,6 +184,8 @@ void Viewport::continueJobs() {
   makeCurrent();
   m_jobsLeft = m_renderer->runJobs(kJobSliceMs);
   const auto [what, fraction] = m_renderer->jobProgress();
+  // What an earlier job made is shown while another goes on.
+  if (m_renderer->drawable() && std::exchange(m_jobText, what) != what) update();
   doneCurrent();
   Q_EMIT jobProgress(m_jobsLeft ? text(what) : QString(), fraction);
   if (m_jobsLeft)

@@ -7,6 +7,7 @@
 #include <QTimer>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "renderer.h"
 #include "ui/document/loading.h"
@@ -92,6 +93,7 @@ class Viewport : public QOpenGLWidget {
   bool m_withoutSubsurface = false;
   int m_targetSamples = 64;
   bool m_jobsLeft = false;
+  std::string m_jobText;     ///< of the job in progress
   bool m_firstFrame = true;  ///< nothing has been shown yet: wait for programs and environment
   bool m_moving = false;
   bool m_wasMoving = false;  ///< the frame shown last was a moving one

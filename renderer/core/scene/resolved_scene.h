@@ -12,6 +12,8 @@
 
 namespace dermis {
 
+struct MeshBake;
+
 /// The decoded light of an environment, not yet prefiltered. One lat-long image, or six cube faces, or a constant.
 struct EnvironmentImages {
   std::shared_ptr<const Image> latLong;               ///< Float RGB(A), linear Rec.709, cleaned
@@ -33,6 +35,8 @@ struct ResolvedScene {
   float millimetresPerUnit = 1000.0F;                    ///< the scene's, else the model's
   std::vector<ResolvedMaterial> slots;                   ///< parallel to model->slots
   std::shared_ptr<const EnvironmentImages> environment;  ///< never null
+  /// What was baked of the model. Null: the renderer bakes it where RendererOptions::bakeMeshes says so.
+  std::shared_ptr<const MeshBake> bake;
   Camera camera;                                         ///< the scene's, or one that frames the bounds
 };
 

@@ -30,7 +30,8 @@ Shading shade(Surface s) {
   float roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
   float intensity = max(u_material.specular_intensity * scalarMap(u_map_specular, kMapSpecular, s.uv), 0.0);
   float cavity = clamp(u_material.specular_cavity * scalarMap(u_map_cavity, kMapCavity, s.uv), 0.0, 1.0);
-  float ao = occlusionMap(s.uv, u_material.occlusion_strength);
+  vec3 share;
+  float ao = skyShare(s, u_material.occlusion_strength, share);
   vec3 normal = mappedNormal(s, u_material.surface_normal_strength);
 
   Layer layer;
@@ -43,7 +44,7 @@ Shading shade(Surface s) {
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
-  LayerLight image = layerImage(layer, p, facingNormal(s), ao);
+  LayerLight image = layerImage(layer, p, facingNormal(s), multiBounce(share, albedo), ao);
 
   vec3 specular = inHalfRange(cavity * (lamps.specular + image.specular));
   Shading result = plainShading(inHalfRange(lamps.body + image.body), specular, 1.0, normal);

@@ -160,15 +160,28 @@ vec3 lobeImage(Lobe lobe, LobePoint point, LayerPoint p, vec3 reflected, float a
   return specularOcclusion(p.n_dot_v, ao, alpha) * sum;
 }
 
-// The environment. `ao` dims the body's light, and the reflections as far as
-// they come from where it says that something is in the way.
-LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
+// Interreflection: a surface that sees the share `visibility` of the sky sees itself, and light on it, in the rest. Jimenez, Wu, Pesce &
+// Jarabo 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion", equation 10 and its fit: 1 in the open.
+vec3 multiBounce(vec3 visibility, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324;
+  vec3 b = -4.7951 * albedo + 0.6417;
+  vec3 c = 2.7552 * albedo + 0.6903;
+  return min(max(visibility, ((visibility * a + b) * visibility + c) * visibility), 1.0);
+}
+
+// The environment. `share` is what of the irradiance arrives; `ao` dims the
+// reflections as far as they come from where it says that something is in the way.
+LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, vec3 share, float ao) {
   vec3 r = reflect(-p.view, p.normal);
   vec3 specular = lobeImage(layer.first, p.first, p, r, ao, u_random.xy);
 #if DERMIS_LOBES == 2
   specular += lobeImage(layer.second, p.second, p, r, ao, u_random.zw);
 #endif
-  return LayerLight(environmentIrradiance(p.normal) * ao, specular * horizonOcclusion(r, vertex_normal));
+  return LayerLight(environmentIrradiance(p.normal) * share, specular * horizonOcclusion(r, vertex_normal));
+}
+
+LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
+  return layerImage(layer, p, vertex_normal, vec3(ao), ao);
 }
 
 // Share of a white environment that layer and body send to the viewer, of the channel that sends most.

@@ -1,8 +1,55 @@
-// Skin: two specular lobes over a body that scatters: light that enters spreads before it leaves (subsurface_pass).
+// Skin: two specular lobes over a body that scatters: light that enters spreads before it leaves (subsurface_pass), and where the body is
+// thin some leaves through its far side.
 #define DERMIS_LOBES 2
 #include "generated/material_block.glsl"
 #include "material_maps.glsl"
 #include "models/layered.glsl"
+#include "transmission.glsl"
+
+// Words of transmission.thickness_source.
+const int kThicknessFromMap = 0;
+const int kThicknessFromMesh = 1;
+const int kThicknessFromShadow = 2;
+
+// Millimetres of material behind the point. Where nothing is known it is as thick as the material gets.
+float bodyThicknessMm(Surface s) {
+  float least = u_material.transmission_thickness_min_mm, most = max(u_material.transmission_thickness_max_mm, least);
+  if (u_material.transmission_thickness_source == kThicknessFromMap)
+    return mix(least, most, clamp(scalarMap(u_map_thickness, kMapThickness, s.uv), 0.0, 1.0));
+  return s.baked_thickness_mm < 0.0 ? most : clamp(s.baked_thickness_mm, least, most);
+}
+
+// Light of the lamps that comes through the body, as irradiance/π: times body_out it is radiance. `normal` is the vertex normal of the
+// side that is seen; the far side faces the other way. Where the thickness is the shadows' to tell, each lamp has its own, and
+// `thickness_mm` becomes the least of them as far as nothing else is known.
+vec3 lampsThrough(Layer layer, LayerPoint p, SlabScattering scattering, vec3 position, vec3 normal, bool known, inout float thickness_mm) {
+  vec3 sum = vec3(0.0);
+  bool from_shadow = u_material.transmission_thickness_source == kThicknessFromShadow;
+  vec3 transmitted = slabShares(scattering, thickness_mm).transmitted;
+  bool opaque = max(transmitted.r, max(transmitted.g, transmitted.b)) < 1e-5;
+  float least = thickness_mm;
+  for (int i = 0; i < u_light_count.x; ++i) {
+    LightSample light = lightAt(i, position);
+    float cosine = clamp(-dot(normal, light.to_light), 0.0, 1.0);
+    // Loops of at most one round: unlike a branch, software GL leaves them out where no pixel nearby enters.
+    int shadow_rounds = from_shadow && cosine > 0.0 ? 1 : 0, rounds = !from_shadow && cosine > 0.0 && !opaque ? 1 : 0;
+    for (int k = 0; k < shadow_rounds; ++k) {
+      // The way through the body begins a little inside it, and is as long as the slab is thick over the cosine.
+      float shrink = u_material.transmission_normal_scale;
+      float through = min(shadowThicknessMm(i, position, normal, shrink) * cosine + shrink, u_material.transmission_thickness_max_mm);
+      least = min(least, through);
+      sum += light.irradiance * cosine * bodyTransmittance(layer, cosine) * slabShares(scattering, through).transmitted;
+    }
+    for (int k = 0; k < rounds; ++k) {
+      // Asked a little beyond the far side: thicknesses are averages, and a point inside the body would be in its shadow.
+      float beyond = 1.25 * thickness_mm + u_material.transmission_normal_scale;
+      float lit = shadowOfFarSide(i, position, normal, beyond);
+      sum += light.irradiance * cosine * lit * bodyTransmittance(layer, cosine) * transmitted;
+    }
+  }
+  if (from_shadow && !known) thickness_mm = least;
+  return sum * kInversePi * p.body_in;
+}
 
 Shading shade(Surface s) {
   vec3 albedo = u_material.base_albedo.rgb * colourMap(u_map_albedo, kMapAlbedo, s.uv).rgb;
@@ -10,7 +57,8 @@ Shading shade(Surface s) {
   float roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
   float intensity = max(u_material.specular_intensity * scalarMap(u_map_specular, kMapSpecular, s.uv), 0.0);
   float cavity = clamp(u_material.specular_cavity * scalarMap(u_map_cavity, kMapCavity, s.uv), 0.0, 1.0);
-  float ao = occlusionMap(s.uv, u_material.occlusion_strength);
+  vec3 share;
+  float ao = skyShare(s, u_material.occlusion_strength, share);
   vec3 normal = mappedNormalWithDetail(s, u_material.surface_normal_strength, u_material.surface_detail_strength,
                                        u_material.surface_detail_tiling);
 
@@ -24,7 +72,7 @@ Shading shade(Surface s) {
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
-  LayerLight image = layerImage(layer, p, facingNormal(s), ao);
+  LayerLight image = layerImage(layer, p, facingNormal(s), multiBounce(share, albedo), ao);
 
   // albedo^m goes in, albedo^(1 − m) comes out: m = 0 keeps texture detail sharp (d'Eon & Luebke 2007, GPU Gems 3, section 14.4).
   vec3 safe_albedo = max(albedo, vec3(1e-5));
@@ -32,11 +80,21 @@ Shading shade(Surface s) {
 
   Shading result;
   result.entering = inHalfRange(inwards * (lamps.body + image.body));
-  result.exit = p.body_out * (safe_albedo / inwards);
   result.subsurface = clamp(u_material.subsurface_weight * scalarMap(u_map_subsurface, kMapSubsurface, s.uv), 0.0, 1.0);
-  result.transmission = vec3(0.0);
-  result.thickness_mm = 0.0;
-  result.energy = layerEnergy(p, albedo, cavity);
+
+  // Light through the body, from lamps and environment behind it.
+  result.thickness_mm = bodyThicknessMm(s);
+  SlabScattering scattering = slabScattering(albedo, u_scattering.rgb, int(u_scattering.w));
+  vec3 lamps_through =
+      lampsThrough(layer, p, scattering, s.position, facingNormal(s), s.baked_thickness_mm >= 0.0, result.thickness_mm);
+  SlabShares slab = slabShares(scattering, result.thickness_mm);
+  float amount = u_material.transmission_weight * result.subsurface;
+  vec3 tint = amount * u_material.transmission_tint.rgb;
+  vec3 kept = keptByBody(slab, albedo, amount, tint * slab.transmitted);
+  result.transmission = inHalfRange(p.body_out * tint * (lamps_through + slab.transmitted * s.far_light));
+
+  result.exit = p.body_out * kept * (safe_albedo / inwards);
+  result.energy = layerEnergy(p, albedo * kept + tint * slab.transmitted, cavity);
   // Pores and creases swallow reflections; what they swallow is not diffused either.
   result.specular = inHalfRange(cavity * (lamps.specular + image.specular));
   result.alpha = 1.0;

@@ -1,0 +1,53 @@
+// What ray casting found of each vertex (renderer/core/bake/mesh_bake.h), and the environment's light by it.
+//
+// The hidden part of the sky and the light that a vertex's far side receives are transfer vectors in nine real spherical harmonics: times
+// the environment's coefficients they are irradiance/π (Sloan, Kautz & Snyder 2002, "Precomputed Radiance Transfer for Real-Time
+// Rendering in Dynamic, Low-Frequency Lighting Environments", equation 7). Needs frame_block.glsl.
+
+layout(location = 3) in vec4 a_hidden_0;       // hidden sky, coefficients 0 to 3
+layout(location = 4) in vec4 a_hidden_4;       // 4 to 7
+layout(location = 5) in vec4 a_hidden_8;       // 8; thickness in mm, negative where nothing is known; far side 0 and 1
+layout(location = 6) in vec4 a_far_2;          // far side, 2 to 5
+layout(location = 7) in vec4 a_far_6;          // 6 to 8
+
+struct BakedSky {
+  vec3 share;      // the environment's irradiance with the mesh's own shadow over what it is without
+  float open;      // ambient occlusion
+  vec3 far_light;  // irradiance/π of the far side
+};
+
+// Irradiance/π of a direction that sees the whole environment (Ramamoorthi & Hanrahan 2001, equation 13).
+vec3 openIrradiance(vec3 n) {
+  vec3 first = 0.28209479 * u_environment_harmonics[0].rgb +
+               (2.0 / 3.0 * 0.48860251) * (n.y * u_environment_harmonics[1].rgb + n.z * u_environment_harmonics[2].rgb +
+                                           n.x * u_environment_harmonics[3].rgb);
+  vec3 second = 1.09254843 * (n.x * n.y * u_environment_harmonics[4].rgb + n.y * n.z * u_environment_harmonics[5].rgb +
+                              n.x * n.z * u_environment_harmonics[7].rgb) +
+                0.31539157 * (3.0 * n.z * n.z - 1.0) * u_environment_harmonics[6].rgb +
+                0.54627422 * (n.x * n.x - n.y * n.y) * u_environment_harmonics[8].rgb;
+  return first + 0.25 * second;
+}
+
+BakedSky bakedSky(vec3 normal) {
+  vec3 hidden = a_hidden_0.x * u_environment_harmonics[0].rgb + a_hidden_0.y * u_environment_harmonics[1].rgb +
+                a_hidden_0.z * u_environment_harmonics[2].rgb + a_hidden_0.w * u_environment_harmonics[3].rgb +
+                a_hidden_4.x * u_environment_harmonics[4].rgb + a_hidden_4.y * u_environment_harmonics[5].rgb +
+                a_hidden_4.z * u_environment_harmonics[6].rgb + a_hidden_4.w * u_environment_harmonics[7].rgb +
+                a_hidden_8.x * u_environment_harmonics[8].rgb;
+  vec3 far = a_hidden_8.z * u_environment_harmonics[0].rgb + a_hidden_8.w * u_environment_harmonics[1].rgb +
+             a_far_2.x * u_environment_harmonics[2].rgb + a_far_2.y * u_environment_harmonics[3].rgb +
+             a_far_2.z * u_environment_harmonics[4].rgb + a_far_2.w * u_environment_harmonics[5].rgb +
+             a_far_6.x * u_environment_harmonics[6].rgb + a_far_6.y * u_environment_harmonics[7].rgb +
+             a_far_6.z * u_environment_harmonics[8].rgb;
+  BakedSky sky;
+  sky.open = clamp(1.0 - a_hidden_0.x / 0.28209479, 0.0, 1.0);
+  // Nine coefficients ring: a direction that receives next to nothing of the environment's mean may come out as negative. There the
+  // share is what it is under an even sky.
+  vec3 all = openIrradiance(normal);
+  vec3 mean = max(0.28209479 * u_environment_harmonics[0].rgb, 1e-9);
+  vec3 sure = smoothstep(vec3(0.05), vec3(0.2), all / mean);
+  vec3 share = clamp(1.0 - hidden / max(all, 1e-3 * mean), 0.0, 1.0);
+  sky.share = mix(vec3(sky.open), share, sure);
+  sky.far_light = max(a_hidden_8.y < 0.0 ? openIrradiance(-normal) : far, 0.0);
+  return sky;
+}
