@@ -5,13 +5,13 @@
 #include <array>
 #include <memory>
 
+#include "app/commands/bake.h"
 #include "app/commands/commands.h"
 #include "app/commands/headless.h"
 #include "core/base/file_io.h"
 #include "core/base/json_text.h"
 #include "core/base/number_format.h"
 #include "core/io/asset_loader.h"
-#include "core/io/importer.h"
 #include "lighting/bake_readback.h"
 
 namespace dermis::cli {
@@ -27,16 +27,6 @@ struct EnvironmentOptions {
   std::vector<std::string> roughness;  ///< as given: they name the files
   bool cached = false;
 };
-
-Outcome<void> writeExr(const fs::path& path, const Image& image) {
-  const Result<const Importer*> module = importer();
-  if (!module) return failure(module.error());
-  const std::vector<std::string> names = {"R", "G", "B", "A"};
-  const ImageLayer layer{"", {names.begin(), names.begin() + image.channels}, image};
-  const Result<void> written = (*module)->writeImage(path, {layer}, {});
-  if (!written) return failure(written.error());
-  return {};
-}
 
 Outcome<void> writeJson(const fs::path& path, const Json& json) {
   const Result<void> written = writeFileAtomically(path, json.dump(2) + "\n");
@@ -189,14 +179,17 @@ Examples:
 }  // namespace
 
 void addBake(CLI::App& root, Action& action) {
-  CLI::App* command = root.add_subcommand("bake", "Read back what the renderer samples: environments, the DFG table");
+  CLI::App* command = root.add_subcommand(
+      "bake", "What the renderer samples: environments, the DFG table, a model's thickness and occlusion");
   command->require_subcommand(1);
   addBakeEnvironment(*command, action);
   addBakeDfg(*command, action);
+  addBakeMesh(*command, action);
   command->footer(R"(
 Examples:
   dermis bake environment studio.hdr -o baked --roughness 0.5
-  dermis bake dfg --geometry smith -o dfg.exr)");
+  dermis bake dfg --geometry smith -o dfg.exr
+  dermis bake thickness head.glb -o thickness.exr)");
 }
 
 }  // namespace dermis::cli

@@ -13,6 +13,7 @@
 #include "core/bake/bake_cache.h"
 #include "core/bake/bake_points.h"
 #include "core/bake/point_bake.h"
+#include "core/bake/texel_bake.h"
 #include "core/scene/primitives.h"
 #include "unit/temporary_folder.h"
 
@@ -306,6 +307,57 @@ TEST(MeshBake, NothingToBakeIsNoError) {
   options.castingSlots = {false};
   const auto bake = bakeOf(model, options);
   EXPECT_EQ(bake->vertices.front(), VertexBake{});
+}
+
+float texel(const Image& image, int x, int y) {
+  float value = 0.0F;
+  std::memcpy(&value, image.pixels.data() + static_cast<std::size_t>(y * image.width + x) * sizeof value, sizeof value);
+  return value;
+}
+
+TEST(TexelBake, ThicknessLiesWhereTheTextureDoes) {
+  // A wedge: 2 mm at u = 0, 6 mm at u = 1, laid out in the lower left quarter of the texture.
+  Model model;
+  addSheet(model, {-40, -40, 0}, {80, 0, 0}, {0, 80, 0}, 40);
+  addSheet(model, {-40, -40, -2}, {0, 80, 0}, {80, 0, -4}, 40);
+  const std::size_t front = model.positions.size() / 2;
+  for (std::size_t v = 0; v < model.uvs.size(); ++v) model.uvs[v] *= v < front ? 0.5F : 0.0F;
+  TexelBakeOptions options;
+  options.size = 32;
+  options.millimetresPerUnit = 1.0F;
+  const auto image = bakeTexels(finished(std::move(model)), "wedge", BakedMap::Thickness, options);
+  ASSERT_TRUE(image.has_value());
+  // Texel 4 of 16 across: u = 4.5/16. Rows are counted from the top.
+  EXPECT_NEAR(texel(*image, 4, 32 - 8), 2.0F + 4.0F * 4.5F / 16.0F, 0.05F);
+  EXPECT_NEAR(texel(*image, 11, 32 - 8), 2.0F + 4.0F * 11.5F / 16.0F, 0.05F);
+  // Beside the island its rim goes on; nothing is left empty.
+  EXPECT_EQ(texel(*image, 18, 32 - 8), texel(*image, 15, 32 - 8));
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) EXPECT_GT(texel(*image, x, y), 0.0F);
+}
+
+TEST(TexelBake, OcclusionIsThatOfThePoint) {
+  Model model;
+  addSheet(model, {-10, 0, -10}, {0, 0, 20}, {20, 0, 0}, 1);  // the floor, facing +Y
+  const std::size_t floor = model.positions.size();
+  addSheet(model, {-1e3F, 0, -10}, {2e3F, 0, 0}, {0, 1e3F, 0}, 1);  // a wall at its end z = −10
+  for (std::size_t v = floor; v < model.uvs.size(); ++v) model.uvs[v] = glm::vec2(0.0F);
+  TexelBakeOptions options;
+  options.size = 16;
+  options.rays = 512;
+  const auto image = bakeTexels(finished(std::move(model)), "corner", BakedMap::Occlusion, options);
+  ASSERT_TRUE(image.has_value());
+  // An endless wall as good as without a top hides half of the sky wherever one stands before it.
+  for (const int u : {0, 7, 15}) EXPECT_NEAR(texel(*image, u, 8), 0.5F, 0.02F) << u;
+}
+
+TEST(TexelBake, ModelWithoutCoordinatesIsRefused) {
+  Model model = slab(2.0F);
+  model.hasUvs = false;
+  const auto image = bakeTexels(model, "slab.obj", BakedMap::Occlusion, {});
+  ASSERT_FALSE(image.has_value());
+  EXPECT_EQ(image.error().kind, Error::Kind::Input);
+  EXPECT_NE(image.error().message.find("slab.obj"), std::string::npos);
 }
 
 }  // namespace
