@@ -112,7 +112,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      m_targets,
                      m_shaders,
                      m_messages,
-                     cameraMatrices(request.camera, scene->model->bounds, request.size, jitter, lamps),
+                     cameraMatrices(request.camera, resources.bounds(), request.size, jitter, lamps),
                      multisampled};
   m_timer.beginFrame();
   m_noVertices.bind();
@@ -268,7 +268,7 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   constexpr int kSmoothSamples = 4;
   if (!request.exactDisplay && (request.moving ? !frame.multisampled : m_samples < kSmoothSamples)) {
     const bool isOnlyModel = !hasVisibleLamps(frame.scene);
-    input.edgeFilter = isOnlyModel ? screenArea(frame.camera, frame.scene.model->bounds, request.size)
+    input.edgeFilter = isOnlyModel ? screenArea(frame.camera, frame.resources.bounds(), request.size)
                                    : PixelArea{glm::ivec2(0), request.size};
   }
   input.dither = true;

@@ -8,6 +8,7 @@
 #include "gl/debug_output.h"
 #include "gl/job_queue.h"
 #include "gl/shader_library.h"
+#include "passes/displacement.h"
 #include "passes/scene_resources.h"
 #include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
@@ -135,9 +136,14 @@ class GlRenderer final : public Renderer {
       const std::optional<int> maps = m_info.software ? std::optional<int>(presentMaps(scene, i)) : std::nullopt;
       const ShadingModel model = scene.slots[i].material.model;
       const bool blended = isBlended(scene.slots[i].material);
-      need.push_back(surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps));
-      if (m_info.software && m_hasWindow && !withAovs && !blended)
+      const bool mayDisplace = canDisplace(scene, i);
+      const gl::ProgramSources surface = surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps);
+      need.push_back(surface);
+      if (mayDisplace) need.push_back(tessellated(surface));
+      if (m_info.software && m_hasWindow && !withAovs && !blended) {
         moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps));
+        if (mayDisplace) moving.push_back(geometryProgram(true));
+      }
     }
     if (isSplit(scene) || withAovs) {
       const std::size_t profiles = profileCount(scene);
@@ -148,7 +154,7 @@ class GlRenderer final : public Renderer {
           moving.push_back(std::move(sources));
     }
     // What a moving picture needs on software GL comes after what the still one does.
-    if (m_info.software && m_hasWindow) moving.push_back(geometryProgram());
+    if (m_info.software && m_hasWindow) moving.push_back(geometryProgram(false));
     need.insert(need.end(), moving.begin(), moving.end());
     std::vector<gl::ProgramSources> wanted;
     for (const gl::ProgramSources& sources : need)

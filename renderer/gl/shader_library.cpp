@@ -170,6 +170,10 @@ Result<void> ShaderLibrary::build(Program& program) {
     stages = {{GL_COMPUTE_SHADER, &sources.compute}};
   } else {
     stages = {{GL_VERTEX_SHADER, &sources.vertex}, {GL_FRAGMENT_SHADER, &sources.fragment}};
+    if (!sources.tessControl.empty()) {
+      stages.push_back({GL_TESS_CONTROL_SHADER, &sources.tessControl});
+      stages.push_back({GL_TESS_EVALUATION_SHADER, &sources.tessEvaluation});
+    }
   }
   ProgramHandle linked(glCreateProgram());
   for (const Stage& stage : stages) {

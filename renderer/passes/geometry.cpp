@@ -88,4 +88,41 @@ void Geometry::draw(const ModelPart& part) const {
                  reinterpret_cast<const void*>(static_cast<std::uintptr_t>(part.firstIndex) * sizeof(std::uint32_t)));
 }
 
+void Geometry::prepareDisplacement(const Model& model) {
+  if (m_displacementFrames) return;
+  DisplacementFrames frames = displacementFrames(model);
+  m_displacementFrames = gl::Buffer::fixed("displacement frames", std::as_bytes(std::span(frames.vertices)));
+  m_densities = std::move(frames.parts);
+  for (const ModelPart& part : model.parts) m_firstTriangles.push_back(static_cast<int>(part.firstIndex / 3));
+  if (!frames.seams.empty()) {
+    m_seamOfTriangle = gl::Buffer::fixed("seam of triangle", std::as_bytes(std::span(frames.seamOfTriangle)));
+    m_seams = gl::Buffer::fixed("displacement seams", std::as_bytes(std::span(frames.seams)));
+  }
+  const GLuint id = m_vertexArray.id();
+  constexpr GLuint kFirstAttribute = 8;
+  constexpr GLuint kBufferBinding = 2;
+  glVertexArrayVertexBuffer(id, kBufferBinding, m_displacementFrames.id(), 0, sizeof(DisplacementFrame));
+  for (GLuint i = 0; i < 3; ++i) {
+    glEnableVertexArrayAttrib(id, kFirstAttribute + i);
+    glVertexArrayAttribFormat(id, kFirstAttribute + i, 4, GL_FLOAT, GL_FALSE,
+                              static_cast<GLuint>(i * sizeof(glm::vec4)));
+    glVertexArrayAttribBinding(id, kFirstAttribute + i, kBufferBinding);
+  }
+}
+
+void Geometry::drawPatches(const ModelPart& part) const {
+  glPatchParameteri(GL_PATCH_VERTICES, 3);
+  glDrawElements(GL_PATCHES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(static_cast<std::uintptr_t>(part.firstIndex) * sizeof(std::uint32_t)));
+}
+
+int Geometry::bindSeams(std::size_t part) const {
+  if (!m_seams) return -1;
+  constexpr GLuint kSeamOfTriangleBinding = 6;
+  constexpr GLuint kSeamBinding = 7;
+  m_seamOfTriangle.bindStorage(kSeamOfTriangleBinding);
+  m_seams.bindStorage(kSeamBinding);
+  return m_firstTriangles.at(part);
+}
+
 }  // namespace dermis

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bake/mesh_bake.h"
+#include "core/scene/displacement_frames.h"
 #include "core/scene/model.h"
 #include "gl/gl_objects.h"
 
@@ -20,6 +21,14 @@ class Geometry {
 
   void bind() const;
   void draw(const ModelPart& part) const;
+
+  /// What displaced parts need beside the vertices: attributes 8 to 10 and the seams. Does nothing a second time.
+  void prepareDisplacement(const Model& model);
+  /// As patches, for a tessellated program.
+  void drawPatches(const ModelPart& part) const;
+  [[nodiscard]] const DisplacementDensity& displacementDensity(std::size_t part) const { return m_densities.at(part); }
+  /// Binds the seams for displace.tesc; the number of the part's first triangle, −1 without any.
+  [[nodiscard]] int bindSeams(std::size_t part) const;
   /// Middle of each part's bounds, parallel to Model::parts: blended parts are sorted by it.
   [[nodiscard]] const std::vector<glm::vec3>& partCentres() const { return m_partCentres; }
 
@@ -27,6 +36,9 @@ class Geometry {
   gl::VertexArray m_vertexArray;
   gl::Buffer m_vertices, m_indices, m_baked;
   std::vector<glm::vec3> m_partCentres;
+  gl::Buffer m_displacementFrames, m_seamOfTriangle, m_seams;
+  std::vector<DisplacementDensity> m_densities;
+  std::vector<int> m_firstTriangles;
 };
 
 }  // namespace dermis

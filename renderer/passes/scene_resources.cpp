@@ -4,6 +4,7 @@
 
 #include "core/material/parameter_table.h"
 #include "core/material/scattering_length.h"
+#include "passes/displacement.h"
 
 namespace dermis {
 
@@ -125,7 +126,15 @@ void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
   }
   statistics.diffusionKernelsMade += m_kernels.update(*m_scene, messages);
   m_slots.resize(m_scene->slots.size());
-  for (std::size_t i = 0; i < m_slots.size(); ++i) uploadSlot(i, statistics, messages);
+  float reach = 0.0F;
+  for (std::size_t i = 0; i < m_slots.size(); ++i) {
+    uploadSlot(i, statistics, messages);
+    if (canDisplace(*m_scene, i)) m_geometry->prepareDisplacement(*m_model);
+    reach = std::max(reach, m_slots[i].displacementReach);
+  }
+  m_bounds = m_model->bounds;
+  m_bounds.min -= reach;
+  m_bounds.max += reach;
   m_textures.releaseUnused();
   statistics.texturesUploaded = m_textures.uploaded();
   statistics.texturesReleased = m_textures.released();
@@ -180,6 +189,13 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
     textures.at(i) = m_textures.get(source.images.at(i), binding, kind, messages);
     if (binding.flipGreen) draw.mapBits.y |= 1 << i;
   }
+  slot.displaced = displaces(*m_scene, index);
+  if (slot.displaced) {
+    const auto& heights = source.images.at(static_cast<std::size_t>(TextureSlot::Displacement));
+    if (slot.heightMap != heights) slot.heightValues = valueRange(*heights);
+    slot.heightMap = heights;
+  }
+  slot.displacementReach = displacementReach(*m_scene, index, slot.heightValues);
   draw.mapBits.x = presentMaps(*m_scene, index);
   // Software GL runs both sides of a branch, so its programs leave out what fetches from absent maps.
   slot.constantMaps = m_software ? std::optional<int>(draw.mapBits.x) : std::nullopt;

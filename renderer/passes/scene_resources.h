@@ -33,12 +33,16 @@ struct SlotResources {
   DrawKind kind = DrawKind::Opaque;
   bool cullBackFaces = false;
   bool hasCutOuts = false;          ///< discards where its alpha is low
+  bool displaced = false;           ///< drawn as patches, through tessellated() programs
+  float displacementReach = 0.0F;   ///< farthest that anything of it is displaced, scene units
   std::optional<int> constantMaps;  ///< the present maps, where the program knows them at compile time
   std::vector<std::byte> materialBytes;
   gl::Buffer materialBlock;
   DrawBlock draw;
   gl::Buffer drawBlock;
   std::array<std::shared_ptr<const gl::Texture>, kTextureSlotCount> textures;
+  std::shared_ptr<const Image> heightMap;  ///< whose values `heightValues` are
+  glm::vec2 heightValues{0.0F};
 };
 
 class SceneResources {
@@ -51,8 +55,11 @@ class SceneResources {
   /// Uploads what the scene needs and isn't resident, and nothing else.
   void upload(RenderStatistics& statistics, Warnings& messages);
 
+  [[nodiscard]] bool isSoftware() const { return m_software; }
   [[nodiscard]] const ResolvedScene* scene() const { return m_scene.get(); }
   [[nodiscard]] const Geometry& geometry() const { return *m_geometry; }
+  /// The model's, grown by what is displaced.
+  [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
   [[nodiscard]] const std::vector<SlotResources>& slots() const { return m_slots; }
 
   [[nodiscard]] const DiffusionKernels& kernels() const { return m_kernels; }
@@ -92,6 +99,7 @@ class SceneResources {
   std::optional<Geometry> m_geometry;
   MeshBakes m_meshBakes;
   std::shared_ptr<const MeshBake> m_bake;  ///< the one m_geometry has
+  Bounds m_bounds;
   std::vector<SlotResources> m_slots;
   DiffusionKernels m_kernels;
   TextureCache m_textures;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "passes/displacement.h"
+
 namespace dermis {
 
 namespace {
@@ -12,15 +14,38 @@ SurfaceOutputs outputsOf(const FrameContext& frame, bool blended) {
   return surfaceOutputs(frame.scene, (frame.targets.images() & ~kSplit) != 0, blended);
 }
 
+/// A moving picture is divided more coarsely, and one on software GL, where a small triangle costs as much as a block of
+/// pixels.
+float pixelsPerPiece(const FrameContext& frame) {
+  const float still = frame.resources.isSoftware() ? 6.0F : 4.0F;
+  return frame.request.moving ? 2.5F * still : still;
+}
+
+/// Draws with `program` in use and the slot bound.
+void drawTriangles(const FrameContext& frame, const gl::Program& program, std::size_t index) {
+  const ModelPart& part = frame.scene.model->parts[index];
+  const SlotResources& slot = frame.resources.slots()[part.slot];
+  const Geometry& geometry = frame.resources.geometry();
+  if (!slot.displaced) {
+    geometry.draw(part);
+    return;
+  }
+  setDisplacementUniforms(program, slot, geometry, index,
+                          displacementView(frame.camera, frame.request.size, pixelsPerPiece(frame)));
+  geometry.drawPatches(part);
+}
+
 void drawPart(const FrameContext& frame, std::size_t index) {
   const ModelPart& part = frame.scene.model->parts[index];
   const SlotResources& slot = frame.resources.slots()[part.slot];
   const SurfaceOutputs outputs = outputsOf(frame, slot.kind != DrawKind::Opaque);
-  if (frame.useProgram(surfaceProgram(slot.model, outputs, slot.constantMaps)) == nullptr) return;
+  gl::ProgramSources sources = surfaceProgram(slot.model, outputs, slot.constantMaps);
+  const gl::Program* program = frame.useProgram(slot.displaced ? tessellated(std::move(sources)) : sources);
+  if (program == nullptr) return;
   frame.resources.bindSlot(slot);
   if (slot.kind == DrawKind::Opaque || slot.cullBackFaces) {
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
-    frame.resources.geometry().draw(part);
+    drawTriangles(frame, *program, index);
     return;
   }
   // A blended part that shows both sides: what is behind first.
@@ -72,11 +97,11 @@ void surfacePass(const FrameContext& frame) {
   frame.resources.unbindSamplers();
 }
 
-gl::ProgramSources geometryProgram() {
+gl::ProgramSources geometryProgram(bool displaced) {
   gl::ProgramSources sources;
   sources.vertex = "surface.vert";
   sources.fragment = "geometry.frag";
-  return sources;
+  return displaced ? tessellated(std::move(sources)) : sources;
 }
 
 gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs, std::optional<int> constantMaps) {
@@ -102,8 +127,6 @@ bool deferringPays(const FrameContext& frame) {
 void surfacePassDeferred(const FrameContext& frame) {
   const auto& parts = frame.scene.model->parts;
   const auto& slots = frame.resources.slots();
-  const gl::Program* geometry = frame.useProgram(geometryProgram());
-  if (geometry == nullptr) return;
 
   // What is where. Zero in the tangent's image says that nothing is.
   const std::array<GLfloat, 4> nothing = {0.0F, 0.0F, 0.0F, 0.0F};
@@ -115,15 +138,19 @@ void surfacePassDeferred(const FrameContext& frame) {
   glDisable(GL_BLEND);
   glCullFace(GL_BACK);
   frame.resources.geometry().bind();
-  for (const ModelPart& part : parts) {
-    if (slots[part.slot].kind != DrawKind::Opaque) continue;
-    (slots[part.slot].cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
-    glUniform1i(geometry->uniform("u_slot"), static_cast<GLint>(part.slot));
-    frame.resources.geometry().draw(part);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const SlotResources& slot = slots[parts[i].slot];
+    if (slot.kind != DrawKind::Opaque) continue;
+    const gl::Program* program = frame.useProgram(geometryProgram(slot.displaced));
+    if (program == nullptr) continue;
+    if (slot.displaced) frame.resources.bindSlot(slot);
+    (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    glUniform1i(program->uniform("u_slot"), static_cast<GLint>(parts[i].slot));
+    drawTriangles(frame, *program, i);
   }
 
   // Each pixel's light, once.
-  const PixelArea area = screenArea(frame.camera, frame.scene.model->bounds, frame.request.size);
+  const PixelArea area = screenArea(frame.camera, frame.resources.bounds(), frame.request.size);
   const glm::ivec2 extent = area.upper - area.lower;
   frame.targets.shading().bind();
   frame.targets.bindSurfaces();

@@ -25,7 +25,7 @@ void surfacePass(const FrameContext& frame);
 void surfacePassDeferred(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const FrameContext& frame);
-[[nodiscard]] gl::ProgramSources geometryProgram();
+[[nodiscard]] gl::ProgramSources geometryProgram(bool displaced);
 [[nodiscard]] gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs,
                                                  std::optional<int> constantMaps);
 

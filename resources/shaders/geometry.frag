@@ -10,6 +10,12 @@ in vec4 v_tangent;
 in vec2 v_uv;
 in vec4 v_sky;
 in vec4 v_far;
+#ifdef DERMIS_DISPLACED
+#include "displacement.glsl"
+in vec3 v_gradient_u;
+in vec3 v_gradient_v;
+in float v_curvature;
+#endif
 
 layout(location = 0) out vec4 o_surface;  // uv, normal on the octahedron
 layout(location = 1) out vec4 o_tangent;  // tangent; (slot + 1) · 4 + 2 if front-facing + 1 if the tangent's sign is positive
@@ -17,7 +23,11 @@ layout(location = 2) out vec4 o_sky;  // as surface.vert leaves them
 layout(location = 3) out vec4 o_far;
 
 void main() {
-  o_surface = vec4(v_uv, toOctahedron(v_normal));
+  vec3 normal = v_normal;
+#ifdef DERMIS_DISPLACED
+  normal = displacedNormal(normalize(normal), v_uv, v_gradient_u, v_gradient_v, v_curvature);
+#endif
+  o_surface = vec4(v_uv, toOctahedron(normal));
   o_tangent = vec4(v_tangent.xyz, float((u_slot + 1) * 4 + (gl_FrontFacing ? 2 : 0) + (v_tangent.w > 0.0 ? 1 : 0)));
   o_sky = v_sky;
   o_far = v_far;

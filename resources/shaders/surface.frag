@@ -20,6 +20,12 @@ in vec4 v_tangent;
 in vec2 v_uv;
 in vec4 v_sky;
 in vec4 v_far;
+#ifdef DERMIS_DISPLACED
+#include "displacement.glsl"
+in vec3 v_gradient_u;
+in vec3 v_gradient_v;
+in float v_curvature;
+#endif
 #endif
 
 // What is written, by location (SceneImage in renderer/passes/render_targets.h). Radiances are premultiplied.
@@ -74,6 +80,9 @@ Surface surfaceHere() {
   Surface s;
   s.position = v_position;
   s.normal = normalize(v_normal);
+#ifdef DERMIS_DISPLACED
+  s.normal = displacedNormal(s.normal, v_uv, v_gradient_u, v_gradient_v, v_curvature);
+#endif
   s.geometric_normal = normalize(cross(dFdx(v_position), dFdy(v_position)));
   s.tangent = v_tangent;
   s.uv = v_uv;

@@ -5,6 +5,11 @@
 layout(location = 0) in vec4 a_position_u;
 layout(location = 1) in vec4 a_normal_v;
 layout(location = 2) in vec4 a_tangent;
+#ifdef DERMIS_DISPLACED
+layout(location = 8) in vec4 a_direction;  // DisplacementFrame
+layout(location = 9) in vec3 a_gradient_u;
+layout(location = 10) in vec3 a_gradient_v;
+#endif
 
 out vec3 v_position;
 out vec3 v_normal;
@@ -12,6 +17,11 @@ out vec4 v_tangent;
 out vec2 v_uv;
 out vec4 v_sky;  // share of the environment's irradiance that arrives; ambient occlusion
 out vec4 v_far;  // irradiance/π of the far side; thickness in mm
+#ifdef DERMIS_DISPLACED
+out vec4 v_direction;  // to displace.tesc
+out vec3 v_gradient_u;
+out vec3 v_gradient_v;
+#endif
 
 void main() {
   v_position = a_position_u.xyz;
@@ -21,5 +31,10 @@ void main() {
   BakedSky sky = bakedSky(a_normal_v.xyz);
   v_sky = vec4(sky.share, sky.open);
   v_far = vec4(sky.far_light, a_hidden_8.y);
+#ifdef DERMIS_DISPLACED
+  v_direction = a_direction;
+  v_gradient_u = a_gradient_u;
+  v_gradient_v = a_gradient_v;
+#endif
   gl_Position = u_view_projection * vec4(a_position_u.xyz, 1.0);
 }
