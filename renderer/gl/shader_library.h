@@ -18,13 +18,14 @@ namespace dermis::gl {
 
 /// What a program is made of; two equal ones are one program. Paths are below resources/shaders/.
 struct ProgramSources {
-  std::string vertex, fragment;             ///< both, or
-  std::string compute;                      ///< this one
-  std::string tessControl, tessEvaluation;  ///< between vertex and fragment, both or neither
+  std::string vertex, fragment;  ///< both, or
+  std::string compute;           ///< this one
   /// "NAME" or "NAME VALUE", put in front of every stage. A value in quotes is a path that `#include NAME` takes.
   std::vector<std::string> defines;
   /// Text that exists in no file, by the path under which it is included: "generated/display_transform.glsl".
   std::map<std::string, std::string> generated;
+  /// Between vertex and fragment: both or neither.
+  std::string tessControl = {}, tessEvaluation = {};
   auto operator<=>(const ProgramSources&) const = default;
 };
 

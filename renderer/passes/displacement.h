@@ -13,12 +13,13 @@
 
 namespace dermis {
 
-/// Whether the slot's material has all that displacement needs but a height: its program is prepared, so that moving the
-/// slider compiles nothing.
+/// Whether the slot's material has all that displacement needs but a height: its program is prepared, so that moving
+/// the slider compiles nothing.
 [[nodiscard]] bool canDisplace(const ResolvedScene& scene, std::size_t slot);
 /// Whether it is displaced.
 [[nodiscard]] bool displaces(const ResolvedScene& scene, std::size_t slot);
-/// Least and greatest value of a height map as the GPU reads it, of all channels; integers are taken to use their range.
+/// Least and greatest value of a height map as the GPU reads it, of all channels; integers are taken to use their
+/// range.
 [[nodiscard]] glm::vec2 valueRange(const Image& image);
 /// Farthest that a slot's map moves its surface, in scene units, given the map's values.
 [[nodiscard]] float displacementReach(const ResolvedScene& scene, std::size_t slot, const glm::vec2& values);

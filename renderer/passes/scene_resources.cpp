@@ -203,6 +203,15 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   draw.mapBits.w = m_kernels.id(index);
   const ScatteringLength scattering = scatteringLength(source.material.parameters);
   draw.scattering = glm::vec4(scattering.mm, static_cast<float>(scattering.reading));
+  if (slot.model == ShadingModel::Eye) {
+    if (slot.eyesOf != m_model) {
+      slot.eyes.clear();
+      for (const ModelPart& part : m_model->parts)
+        if (part.slot == index) slot.eyes = findEyeballs(*m_model, part);
+      slot.eyesOf = m_model;
+    }
+    packEyes(draw, slot.eyes, hasShell(*m_scene));
+  }
   slot.textures = std::move(textures);
   const bool isNew = !slot.drawBlock;
   if (isNew) slot.drawBlock = gl::Buffer::writable("draw block", sizeof(DrawBlock));

@@ -43,6 +43,8 @@ struct SlotResources {
   std::array<std::shared_ptr<const gl::Texture>, kTextureSlotCount> textures;
   std::shared_ptr<const Image> heightMap;  ///< whose values `heightValues` are
   glm::vec2 heightValues{0.0F};
+  std::shared_ptr<const Model> eyesOf;  ///< whose eyeballs `eyes` are
+  std::vector<Eyeball> eyes;
 };
 
 class SceneResources {

@@ -14,8 +14,8 @@ SurfaceOutputs outputsOf(const FrameContext& frame, bool blended) {
   return surfaceOutputs(frame.scene, (frame.targets.images() & ~kSplit) != 0, blended);
 }
 
-/// A moving picture is divided more coarsely, and one on software GL, where a small triangle costs as much as a block of
-/// pixels.
+/// A moving picture is divided more coarsely, and one on software GL, where a small triangle costs as much as a block
+/// of pixels.
 float pixelsPerPiece(const FrameContext& frame) {
   const float still = frame.resources.isSoftware() ? 6.0F : 4.0F;
   return frame.request.moving ? 2.5F * still : still;

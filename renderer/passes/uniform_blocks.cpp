@@ -70,6 +70,16 @@ void packPoint(LightBlock& block, const LightPoint& point) {
   block.size.w = point.spread;
 }
 
+void packEyes(DrawBlock& block, std::span<const Eyeball> eyes, bool hasShell) {
+  const std::size_t count = std::min(eyes.size(), kMostEyeballs);
+  block.eyeCount = {static_cast<int>(count), hasShell ? 1 : 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    block.eyeCentre.at(i) = {eyes[i].centre, eyes[i].radius};
+    block.eyeAxis.at(i) = {eyes[i].axis, 0.0F};
+    block.eyeUv.at(i) = eyes[i].uvGradient;
+  }
+}
+
 MapBlock packMap(TextureSlot slot, const TextureBinding& binding) {
   MapBlock map;
   switch (binding.channel) {

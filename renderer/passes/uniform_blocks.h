@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/material/texture_slot.h"
+#include "core/scene/eyeballs.h"
 #include "core/scene/scene.h"
 #include "lighting/light_point.h"
 
@@ -50,8 +51,10 @@ struct DrawBlock {
   std::array<MapBlock, kTextureSlotCount> maps{};
   glm::ivec4 mapBits{0};
   glm::vec4 scattering{0.0F};
+  glm::ivec4 eyeCount{0};
+  std::array<glm::vec4, kMostEyeballs> eyeCentre{}, eyeAxis{}, eyeUv{};
 };
-static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 32);
+static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 48 + 3 * kMostEyeballs * 16);
 
 template <class Block>
 [[nodiscard]] std::span<const std::byte> bytesOf(const Block& block) {
@@ -73,6 +76,9 @@ void packLights(FrameBlock& block, std::span<const Light> lights, float millimet
 
 /// Makes a packed light shine from where it does in this picture or sample.
 void packPoint(LightBlock& block, const LightPoint& point);
+
+/// Fills the block's eyes; `hasShell`: another part is the cornea.
+void packEyes(DrawBlock& block, std::span<const Eyeball> eyes, bool hasShell);
 
 /// How a slot's map is read: channel weights, and scale and invert folded into one multiply-add.
 [[nodiscard]] MapBlock packMap(TextureSlot slot, const TextureBinding& binding);

@@ -22,7 +22,8 @@ class Furnace : public SphereTest {
     p.baseMetallic = metallic;
     p.specularPerceptualRoughness = roughness;
     p.eyeIrisColor.rgb = p.eyeScleraColor.rgb = glm::vec3(1.0F);
-    p.eyeLimbusDarkness = 0.0F;
+    p.eyeLimbusDarkness = p.eyePupilRadiusMm = p.eyeIrisVariation = 0.0F;
+    p.eyeCorneaPerceptualRoughness = roughness;
     const Picture picture = render(look);
     int seen = 0;
     double least = 2.0, most = 0.0;

@@ -114,36 +114,6 @@ TEST_F(SphereLayer, ModelsInASlopedWorld) {
   }
 }
 
-// Iris, limbus and sclera, where the angle of the normal to the optical axis says they are.
-TEST_F(SphereLayer, EyeIsIrisAndSclera) {
-  static const auto kWhite = constantEnvironment(glm::vec3(1.0F));
-  const reference::Surroundings around = reference::constantSurroundings(dvec3(1.0));
-  Look look;
-  look.material.model = ShadingModel::Eye;
-  look.environment = kWhite;
-  look.camera = orthographicCamera();
-  const MaterialParameters& p = look.material.parameters;
-  const double roughness = static_cast<double>(p.specularPerceptualRoughness);
-  const Layer layer(dvec3(reference::f0FromIor(1.4)), {{roughness * 0.75, 0.15}, {roughness * 1.30, 0.85}});
-  const Picture picture = render(look);
-  int iris = 0, sclera = 0;
-  for (int row = 0; row < look.size; ++row)
-    for (int column = 0; column < look.size; ++column) {
-      const auto point = reference::sphereUnderPixel(look.camera, look.size, look.size, column, row);
-      if (!point || glm::dot(point->normal, point->view) < 0.15 || point->normal.z < 0.0) continue;
-      const double fromAxis = 12.0 * glm::length(glm::dvec2(point->normal));
-      const bool inside = fromAxis<5.9 - 0.3, outside = fromAxis> 5.9 + 0.3;
-      if (!inside && !outside) continue;
-      (inside ? iris : sclera) += 1;
-      const dvec3 albedo(inside ? p.eyeIrisColor.rgb : p.eyeScleraColor.rgb);
-      const dvec3 want = shadeLayer(layer, albedo, point->normal, point->view, {}, &around);
-      for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(picture.at(column, row)[c], want[c], 0.005 * want[c] + 1e-4) << column << ", " << row;
-    }
-  EXPECT_GT(iris, 300);
-  EXPECT_GT(sclera, 1000);
-}
-
 // What a lens reflects is added to what it covers of the background: here none, so only its own light and its coverage
 // are left.
 TEST_F(SphereLayer, LensReflectsAndCovers) {

@@ -95,6 +95,9 @@ struct MaterialParameters {
   float eyeIrisRadiusMm = 5.9F;
   float eyeIrisDepthMm = 2.5F;
   float eyeCorneaIor = 1.376F;
+  float eyeCorneaPerceptualRoughness = 0.03F;
+  float eyePupilRadiusMm = 1.8F;
+  float eyeIrisVariation = 0.5F;
   float eyeLimbusWidthMm = 0.6F;
   float eyeLimbusDarkness = 0.5F;
   Colour eyeScleraColor{{0.80F, 0.76F, 0.72F}};

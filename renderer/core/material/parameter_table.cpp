@@ -211,11 +211,17 @@ std::vector<ParameterRow> buildRows() {
   b.push_back(row<&P::eyeIrisColor>("eye.iris_color", "Iris colour", "Eye", kEye).hard(0, 1).map(TextureSlot::Albedo)
     .says("Albedo of the iris; with an albedo map it tints the map there.").from("Look: a brown iris"));
   b.push_back(row<&P::eyeIrisRadiusMm>("eye.iris_radius_mm", "Iris radius", "Eye", kEye).hard(0, 30).soft(4, 8).unit("mm")
-    .says("Radius of the visible iris.").from("Human mean 5.9 mm (diameter 11.8 mm)"));
+    .says("Radius of the visible iris, on an eyeball 24 mm across; a larger eyeball is taken for an enlarged one, and so for all lengths of an eye.").from("Human mean 5.9 mm (diameter 11.8 mm)"));
   b.push_back(row<&P::eyeIrisDepthMm>("eye.iris_depth_mm", "Iris depth", "Eye", kEye).hard(0, 30).soft(0, 5).unit("mm")
     .says("Distance of the iris plane behind the top of the cornea.").from("Human anterior chamber, about 2.5 to 3 mm"));
   b.push_back(row<&P::eyeCorneaIor>("eye.cornea_ior", "Cornea IOR", "Eye", kEye).hard(1, 3).soft(1.3F, 1.5F)
     .says("Index of refraction of the cornea.").from("1.376, Gullstrand's schematic eye"));
+  b.push_back(row<&P::eyeCorneaPerceptualRoughness>("eye.cornea_perceptual_roughness", "Cornea roughness", "Eye", kEye).hard(0.02F, 1).soft(0.02F, 0.2F)
+    .says("Perceptual roughness of the tear film over the iris; the sclera has the specular one.").from("Look: nearly a mirror"));
+  b.push_back(row<&P::eyePupilRadiusMm>("eye.pupil_radius_mm", "Pupil radius", "Eye", kEye).hard(0, 30).soft(0.8F, 4).unit("mm")
+    .says("Radius of the pupil where there is no albedo map; a map has its own.").from("Watson & Yellott 2012: 2 to 8 mm across; 3.6 mm indoors"));
+  b.push_back(row<&P::eyeIrisVariation>("eye.iris_variation", "Iris variation", "Eye", kEye).hard(0, 1)
+    .says("How much fibres and collarette vary the iris's colour where there is no albedo map.").from("Look"));
   b.push_back(row<&P::eyeLimbusWidthMm>("eye.limbus_width_mm", "Limbus width", "Eye", kEye).hard(0, 10).soft(0, 2).unit("mm")
     .says("Width of the dark ring between iris and sclera.").from("Human mean 0.5 to 1 mm"));
   b.push_back(row<&P::eyeLimbusDarkness>("eye.limbus_darkness", "Limbus darkness", "Eye", kEye).hard(0, 1)

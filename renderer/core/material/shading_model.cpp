@@ -13,7 +13,7 @@ constexpr std::array<ShadingModelRow, 7> kModels = {{
      "A mirror of the environment, encoded in the shader as the lab published it.", true},
     {ShadingModel::MicrofacetLab, "microfacet_lab", "Microfacet (lab)",
      "The lab's microfacet reflection of the environment, encoded in the shader as published.", true},
-    {ShadingModel::Eye, "eye", "Eye", "Sclera and iris with limbus darkening behind a glossy surface.", false},
+    {ShadingModel::Eye, "eye", "Eye", "Sclera that scatters, and an iris seen by refraction through the cornea.", false},
     {ShadingModel::Lens, "lens", "Lens", "A cornea shell: specular only, blended over what lies behind it.", false},
     {ShadingModel::MetallicRoughness, "metallic_roughness", "Metallic-roughness (glTF)",
      "glTF's material, so that a downloaded model shows as its author meant.", false},

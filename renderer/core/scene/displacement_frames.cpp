@@ -2,33 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <unordered_map>
 
 namespace dermis {
 namespace {
 
-/// Vertices at one place get one number. −0 and 0 are one place.
+/// Vertices at one place get one number. Places that differ by rounding, as the two ends of a circle do, are one.
 std::vector<std::uint32_t> placesOf(const Model& model) {
   struct Hash {
-    std::size_t operator()(const glm::vec3& p) const {
+    std::size_t operator()(const glm::ivec3& cell) const {
       std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
       for (int i = 0; i < 3; ++i) {
-        std::uint32_t bits = 0;
-        const float value = p[i] + 0.0F;
-        std::memcpy(&bits, &value, sizeof bits);
-        hash = (hash ^ bits) * 0xff51afd7ed558ccdULL;
+        hash = (hash ^ static_cast<std::uint32_t>(cell[i])) * 0xff51afd7ed558ccdULL;
         hash ^= hash >> 32;
       }
       return hash;
     }
   };
-  std::unordered_map<glm::vec3, std::uint32_t, Hash> known;
+  const float cellsPerUnit = 0x1p22F / std::max(model.bounds.radius(), 1e-30F);
+  std::unordered_map<glm::ivec3, std::uint32_t, Hash> known;
   known.reserve(model.positions.size());
   std::vector<std::uint32_t> places(model.positions.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    places[i] = known.try_emplace(model.positions[i], static_cast<std::uint32_t>(i)).first->second;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const glm::ivec3 cell(glm::round((model.positions[i] - model.bounds.centre()) * cellsPerUnit));
+    places[i] = known.try_emplace(cell, static_cast<std::uint32_t>(i)).first->second;
+  }
   return places;
 }
 
@@ -127,8 +126,8 @@ DisplacementFrames displacementFrames(const Model& model) {
       const glm::vec3 gradientU = d1.x * dual.first + d2.x * dual.second;
       const glm::vec3 gradientV = d1.y * dual.first + d2.y * dual.second;
       const glm::vec3 n0 = directions[places[v[0]]];
-      const float divergence = glm::dot(directions[places[v[1]]] - n0, dual.first) +
-                               glm::dot(directions[places[v[2]]] - n0, dual.second);
+      const float divergence =
+          glm::dot(directions[places[v[1]]] - n0, dual.first) + glm::dot(directions[places[v[2]]] - n0, dual.second);
       for (int i = 0; i < 3; ++i) {
         frames.vertices[v[i]].gradientU += dual.area * glm::vec4(gradientU, 0.0F);
         frames.vertices[v[i]].gradientV += dual.area * glm::vec4(gradientV, 0.0F);

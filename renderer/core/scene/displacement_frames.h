@@ -1,5 +1,5 @@
-// What displacing a surface along its normals needs to know of the mesh beyond its vertices: how the parametrization lies
-// on it, which way each place goes, and how places that coincide agree on their height.
+// What displacing a surface along its normals needs to know of the mesh beyond its vertices: how the parametrization
+// lies on it, which way each place goes, and how places that coincide agree on their height.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ struct DisplacementFrame {
   /// The way it is displaced: the mean of the normals of all vertices at its place, so that hard edges and seams do not
   /// tear; w: mean curvature there, ½ div(direction), per scene unit, positive where the surface bulges.
   glm::vec4 directionCurvature{0.0F, 0.0F, 1.0F, 0.0F};
-  /// Surface gradients of u and v, per scene unit: the gradient of any h(u,v) is h_u · gradientU + h_v · gradientV. Means
-  /// over the triangles round the vertex, weighed by area.
+  /// Surface gradients of u and v, per scene unit: the gradient of any h(u,v) is h_u · gradientU + h_v · gradientV.
+  /// Means over the triangles round the vertex, weighed by area.
   glm::vec4 gradientU{0.0F};
   glm::vec4 gradientV{0.0F};
 };
@@ -37,9 +37,9 @@ struct DisplacementDensity {
 };
 
 struct DisplacementFrames {
-  std::vector<DisplacementFrame> vertices;       ///< parallel to the model's
-  std::vector<DisplacementDensity> parts;        ///< parallel to the model's
-  std::vector<std::uint32_t> seamOfTriangle;     ///< index into `seams` plus one; 0 for triangles on no seam
+  std::vector<DisplacementFrame> vertices;    ///< parallel to the model's
+  std::vector<DisplacementDensity> parts;     ///< parallel to the model's
+  std::vector<std::uint32_t> seamOfTriangle;  ///< index into `seams` plus one; 0 for triangles on no seam
   std::vector<DisplacementSeam> seams;
 };
 

@@ -1,9 +1,7 @@
 // Skin: two specular lobes over a body that scatters: light that enters spreads before it leaves (subsurface_pass), and where the body is
 // thin some leaves through its far side.
-#define DERMIS_LOBES 2
-#include "generated/material_block.glsl"
 #include "material_maps.glsl"
-#include "models/layered.glsl"
+#include "models/two_lobes.glsl"
 #include "transmission.glsl"
 
 // Words of transmission.thickness_source.
@@ -62,13 +60,9 @@ Shading shade(Surface s) {
   vec3 normal = mappedNormalWithDetail(s, u_material.surface_normal_strength, u_material.surface_detail_strength,
                                        u_material.surface_detail_tiling);
 
-  Layer layer;
-  layer.body_f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
+  Layer layer = twoLobes(roughness, intensity);
   layer.metal_f0 = albedo;
   layer.metallic = metallic;
-  vec2 lobes = clamp(roughness * u_material.specular_lobe_scale, kMinPerceptualRoughness, 1.0);
-  layer.first = Lobe(lobes.x, intensity * (1.0 - u_material.specular_lobe_mix));
-  layer.second = Lobe(lobes.y, intensity * u_material.specular_lobe_mix);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));

@@ -1,0 +1,80 @@
+// Light at the front of an eye, in the eye's own space: millimetres of a human eyeball (radius 12), its centre at the origin, its
+// optical axis +Z. A sphere cap of the cornea's curvature sits on the eyeball, its rim where the iris ends; behind it lies the iris, a
+// disc. The space between has one index of refraction (aqueous and cornea differ by 0.04). Needs no uniform, so that tests can
+// include it alone.
+#ifndef DERMIS_EYE_OPTICS
+#define DERMIS_EYE_OPTICS
+
+const float kEyeballRadiusMm = 12.0;
+const float kCorneaRadiusMm = 7.8;  // anterior surface, Gullstrand's schematic eye 7.7; mean of adults 7.8
+
+struct EyeShape {
+  float rim;       // radius of the cornea's rim
+  float curve;     // of the cornea
+  float centre_z;  // its centre on the axis
+  float iris_z;    // plane of the iris
+  float eta;       // 1 / index of refraction
+};
+
+EyeShape eyeShape(float iris_radius, float iris_depth, float ior) {
+  EyeShape e;
+  e.rim = clamp(iris_radius, 1e-3, 0.95 * kEyeballRadiusMm);
+  e.curve = max(kCorneaRadiusMm, 1.05 * e.rim);
+  e.centre_z = sqrt(kEyeballRadiusMm * kEyeballRadiusMm - e.rim * e.rim) - sqrt(e.curve * e.curve - e.rim * e.rim);
+  e.iris_z = e.centre_z + e.curve - iris_depth;
+  e.eta = 1.0 / ior;
+  return e;
+}
+
+vec3 corneaNormal(EyeShape e, vec3 entry) { return (entry - vec3(0.0, 0.0, e.centre_z)) / e.curve; }
+
+// The cornea's point over (x, y).
+vec3 corneaOver(EyeShape e, vec2 xy) {
+  return vec3(xy, e.centre_z + sqrt(max(e.curve * e.curve - dot(xy, xy), 1e-4)));
+}
+
+// Where a ray through `point` that travels along `direction` first meets the cornea's sphere; w 0 where it doesn't.
+vec4 corneaEntry(EyeShape e, vec3 point, vec3 direction) {
+  vec3 from = point - vec3(0.0, 0.0, e.centre_z);
+  float along = dot(from, direction);
+  float discriminant = along * along - (dot(from, from) - e.curve * e.curve);
+  return vec4(point - direction * (along + sqrt(max(discriminant, 0.0))), discriminant > 0.0 ? 1.0 : 0.0);
+}
+
+// Where the plane of the iris is met by what entered at `entry` from `direction`; Snell's law. At the rim the cornea may lie behind
+// the plane: there the iris is met at once.
+vec2 onIris(EyeShape e, vec3 entry, vec3 direction) {
+  vec3 inside = refract(direction, corneaNormal(e, entry), e.eta);
+  return entry.xy + inside.xy * (max(entry.z - e.iris_z, 0.0) / max(-inside.z, 0.05));
+}
+
+// Of a parallel beam from the unit direction `to_light`: its irradiance on the iris at `iris` over that of a surface which faces it,
+// reflection apart, and where it entered. The entry that refracts onto `iris` is found by iteration (the map from entry to
+// iris is near a scaling by 0.9); how much the beam is drawn together is that map's determinant.
+struct IrisBeam {
+  float gain;
+  float cosine;  // at the entry
+};
+IrisBeam irisBeam(EyeShape e, vec2 iris, vec3 to_light) {
+  vec2 xy = iris;
+  for (int i = 0; i < 3; ++i) {
+    vec3 entry = corneaOver(e, xy);
+    xy += iris - onIris(e, entry, -to_light);
+    xy *= min(1.0, e.rim / max(length(xy), 1e-4));
+  }
+  vec3 entry = corneaOver(e, xy);
+  vec3 normal = corneaNormal(e, entry);
+  IrisBeam beam;
+  beam.cosine = clamp(dot(normal, to_light), 0.0, 1.0);
+  const float kStep = 0.05;
+  vec2 there = onIris(e, entry, -to_light);
+  vec2 dx = (onIris(e, corneaOver(e, xy + vec2(kStep, 0.0)), -to_light) - there) / kStep;
+  vec2 dy = (onIris(e, corneaOver(e, xy + vec2(0.0, kStep)), -to_light) - there) / kStep;
+  float area = dx.x * dy.y - dx.y * dy.x;
+  // Light that would have to enter beyond the rim is stopped by the sclera.
+  float missed = distance(there, iris);
+  beam.gain = beam.cosine / (normal.z * max(area, 0.25)) * (1.0 - smoothstep(0.05, 0.6, missed));
+  return beam;
+}
+
+#endif

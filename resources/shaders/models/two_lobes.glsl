@@ -1,0 +1,20 @@
+// The specular layer that the material's specular.* say: two lobes over a dielectric.
+#ifndef DERMIS_TWO_LOBES
+#define DERMIS_TWO_LOBES
+
+#define DERMIS_LOBES 2
+#include "generated/material_block.glsl"
+#include "models/layered.glsl"
+
+Layer twoLobes(float perceptual_roughness, float intensity) {
+  Layer layer;
+  layer.body_f0 = u_material.specular_f0.w > 0.5 ? u_material.specular_f0.rgb : vec3(F0_fromIor(u_material.specular_ior));
+  layer.metal_f0 = vec3(1.0);
+  layer.metallic = 0.0;
+  vec2 lobes = clamp(perceptual_roughness * u_material.specular_lobe_scale, kMinPerceptualRoughness, 1.0);
+  layer.first = Lobe(lobes.x, intensity * (1.0 - u_material.specular_lobe_mix));
+  layer.second = Lobe(lobes.y, intensity * u_material.specular_lobe_mix);
+  return layer;
+}
+
+#endif
