@@ -72,8 +72,8 @@ DisplacementView displacementView(const CameraMatrices& camera, glm::ivec2 size,
   return view;
 }
 
-void setDisplacementUniforms(const gl::Program& program, const SlotResources& slot, const Geometry& geometry,
-                             std::size_t part, const DisplacementView& view) {
+void drawDisplaced(const gl::Program& program, const SlotResources& slot, const Geometry& geometry, std::size_t part,
+                   const DisplacementView& view) {
   const DisplacementDensity& density = geometry.displacementDensity(part);
   // Clip space's sides, x and y within ±w, as planes (Gribb & Hartmann 2001).
   const glm::mat4 rows = glm::transpose(view.clipFromWorld);
@@ -91,9 +91,9 @@ void setDisplacementUniforms(const gl::Program& program, const SlotResources& sl
   glUniform4fv(program.uniform("u_displace_eye"), 1, &view.eye[0]);
   glUniform4fv(program.uniform("u_displace_planes"), 4, &planes[0][0]);
   glUniform4fv(program.uniform("u_displace_detail"), 1, &detail[0]);
-  glUniform1f(program.uniform("u_displace_coarsest"), texels * density.meanEdge / kMostPieces);
+  glUniform2f(program.uniform("u_displace_texels"), texels * density.meanEdge / kMostPieces, texels * density.meanEdge);
   glUniform1f(program.uniform("u_displace_reach"), slot.displacementReach);
-  glUniform1i(program.uniform("u_displace_first_triangle"), geometry.bindSeams(part));
+  geometry.drawPatches(part, program.uniform("u_displace_seam"));
 }
 
 }  // namespace dermis

@@ -1,8 +1,8 @@
 // Displaced surfaces: which slots have one, how a pass draws it.
 //
-// A pass that draws a displaced part takes its own program with `tessellated()` applied, binds the slot, sets the view
-// with setDisplacementUniforms() and draws with Geometry::drawPatches(). The vertex stage must be surface.vert; the
-// fragment stage may read any of its outputs or none.
+// A pass that draws a displaced part takes its own program with `tessellated()` applied, binds geometry and slot, and
+// calls drawDisplaced() with its view. The vertex stage must be surface.vert; the fragment stage may read any of its
+// outputs or none.
 #pragma once
 
 #include "core/scene/resolved_scene.h"
@@ -37,7 +37,8 @@ struct DisplacementView {
 };
 [[nodiscard]] DisplacementView displacementView(const CameraMatrices& camera, glm::ivec2 size, float pixelsPerPiece);
 
-void setDisplacementUniforms(const gl::Program& program, const SlotResources& slot, const Geometry& geometry,
-                             std::size_t part, const DisplacementView& view);
+/// Draws a part of a displaced slot with `program`, a tessellated() one in use, the geometry and the slot bound.
+void drawDisplaced(const gl::Program& program, const SlotResources& slot, const Geometry& geometry, std::size_t part,
+                   const DisplacementView& view);
 
 }  // namespace dermis

@@ -1,5 +1,6 @@
 #include "passes/geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/gtc/packing.hpp>
 #include <span>
@@ -93,11 +94,23 @@ void Geometry::prepareDisplacement(const Model& model) {
   DisplacementFrames frames = displacementFrames(model);
   m_displacementFrames = gl::Buffer::fixed("displacement frames", std::as_bytes(std::span(frames.vertices)));
   m_densities = std::move(frames.parts);
-  for (const ModelPart& part : model.parts) m_firstTriangles.push_back(static_cast<int>(part.firstIndex / 3));
-  if (!frames.seams.empty()) {
-    m_seamOfTriangle = gl::Buffer::fixed("seam of triangle", std::as_bytes(std::span(frames.seamOfTriangle)));
-    m_seams = gl::Buffer::fixed("displacement seams", std::as_bytes(std::span(frames.seams)));
+  std::vector<std::uint32_t> indices;
+  std::vector<DisplacementSeam> seams;
+  indices.reserve(model.indices.size());
+  for (const ModelPart& part : model.parts) {
+    Patches patches{static_cast<std::uint32_t>(indices.size()), 0, 0, static_cast<int>(seams.size())};
+    for (const bool onSeam : {false, true})
+      for (std::uint32_t k = part.firstIndex; k + 2 < part.firstIndex + part.indexCount; k += 3) {
+        const std::uint32_t seam = frames.seamOfTriangle.empty() ? 0 : frames.seamOfTriangle[k / 3];
+        if ((seam != 0) != onSeam) continue;
+        indices.insert(indices.end(), &model.indices[k], &model.indices[k] + 3);
+        (onSeam ? patches.seamIndices : patches.plainIndices) += 3;
+        if (onSeam) seams.push_back(frames.seams[seam - 1]);
+      }
+    m_patches.push_back(patches);
   }
+  m_patchIndices = gl::Buffer::fixed("patch indices", std::as_bytes(std::span(indices)));
+  if (!seams.empty()) m_seams = gl::Buffer::fixed("displacement seams", std::as_bytes(std::span(seams)));
   const GLuint id = m_vertexArray.id();
   constexpr GLuint kFirstAttribute = 8;
   constexpr GLuint kBufferBinding = 2;
@@ -110,19 +123,27 @@ void Geometry::prepareDisplacement(const Model& model) {
   }
 }
 
-void Geometry::drawPatches(const ModelPart& part) const {
+void Geometry::drawPatches(std::size_t part, GLint seamUniform) const {
+  const Patches& patches = m_patches.at(part);
+  const auto draw = [](std::uint32_t first, std::uint32_t count) {
+    glDrawElements(GL_PATCHES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t)));
+  };
   glPatchParameteri(GL_PATCH_VERTICES, 3);
-  glDrawElements(GL_PATCHES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
-                 reinterpret_cast<const void*>(static_cast<std::uintptr_t>(part.firstIndex) * sizeof(std::uint32_t)));
-}
-
-int Geometry::bindSeams(std::size_t part) const {
-  if (!m_seams) return -1;
-  constexpr GLuint kSeamOfTriangleBinding = 6;
-  constexpr GLuint kSeamBinding = 7;
-  m_seamOfTriangle.bindStorage(kSeamOfTriangleBinding);
-  m_seams.bindStorage(kSeamBinding);
-  return m_firstTriangles.at(part);
+  glVertexArrayElementBuffer(m_vertexArray.id(), m_patchIndices.id());
+  glUniform1i(seamUniform, -1);
+  draw(patches.firstIndex, patches.plainIndices);
+  if (patches.seamIndices > 0) {
+    constexpr GLuint kSeamBinding = 7;
+    // Mesa's software GL counts gl_PrimitiveID from zero again somewhere in a long draw.
+    constexpr std::uint32_t kIndicesAtOnce = 3 * 64;
+    m_seams.bindStorage(kSeamBinding);
+    for (std::uint32_t done = 0; done < patches.seamIndices; done += kIndicesAtOnce) {
+      glUniform1i(seamUniform, patches.firstSeam + static_cast<GLint>(done / 3));
+      draw(patches.firstIndex + patches.plainIndices + done, std::min(kIndicesAtOnce, patches.seamIndices - done));
+    }
+  }
+  glVertexArrayElementBuffer(m_vertexArray.id(), m_indices.id());
 }
 
 }  // namespace dermis

@@ -24,11 +24,9 @@ class Geometry {
 
   /// What displaced parts need beside the vertices: attributes 8 to 10 and the seams. Does nothing a second time.
   void prepareDisplacement(const Model& model);
-  /// As patches, for a tessellated program.
-  void drawPatches(const ModelPart& part) const;
+  /// A part as patches, for a tessellated program in use; `seamUniform` is where its u_displace_seam is.
+  void drawPatches(std::size_t part, GLint seamUniform) const;
   [[nodiscard]] const DisplacementDensity& displacementDensity(std::size_t part) const { return m_densities.at(part); }
-  /// Binds the seams for displace.tesc; the number of the part's first triangle, −1 without any.
-  [[nodiscard]] int bindSeams(std::size_t part) const;
   /// Middle of each part's bounds, parallel to Model::parts: blended parts are sorted by it.
   [[nodiscard]] const std::vector<glm::vec3>& partCentres() const { return m_partCentres; }
 
@@ -36,9 +34,14 @@ class Geometry {
   gl::VertexArray m_vertexArray;
   gl::Buffer m_vertices, m_indices, m_baked;
   std::vector<glm::vec3> m_partCentres;
-  gl::Buffer m_displacementFrames, m_seamOfTriangle, m_seams;
+  /// A part's triangles that lie on no seam, then those that do, whose seams have consecutive numbers.
+  struct Patches {
+    std::uint32_t firstIndex = 0, plainIndices = 0, seamIndices = 0;
+    int firstSeam = 0;
+  };
+  gl::Buffer m_displacementFrames, m_patchIndices, m_seams;
   std::vector<DisplacementDensity> m_densities;
-  std::vector<int> m_firstTriangles;
+  std::vector<Patches> m_patches;
 };
 
 }  // namespace dermis

@@ -32,6 +32,12 @@ bool cullsBackFaces(const Material& material) {
   return material.model == ShadingModel::MetallicRoughness && !material.parameters.metallicRoughnessDoubleSided;
 }
 
+/// Whether some part is a cornea of its own.
+bool hasShell(const ResolvedScene& scene) {
+  return std::any_of(scene.slots.begin(), scene.slots.end(),
+                     [](const ResolvedMaterial& slot) { return slot.material.model == ShadingModel::Lens; });
+}
+
 }  // namespace
 
 bool isBlended(const Material& material) { return drawKindOf(material) != DrawKind::Opaque; }

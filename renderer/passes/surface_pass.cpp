@@ -30,9 +30,8 @@ void drawTriangles(const FrameContext& frame, const gl::Program& program, std::s
     geometry.draw(part);
     return;
   }
-  setDisplacementUniforms(program, slot, geometry, index,
-                          displacementView(frame.camera, frame.request.size, pixelsPerPiece(frame)));
-  geometry.drawPatches(part);
+  drawDisplaced(program, slot, geometry, index,
+                displacementView(frame.camera, frame.request.size, pixelsPerPiece(frame)));
 }
 
 void drawPart(const FrameContext& frame, std::size_t index) {

@@ -49,6 +49,13 @@ float DV_GGX(float n_dot_h2, float sin2_n_h, float n_dot_v, float n_dot_l, float
   return 0.5 * kInversePi * alpha2 / max(spread * spread * masking, 1e-30);
 }
 
+// The lobe of facets that lie on a bumpy surface whose slopes have this variance along each axis: α² is twice a Beckmann lobe's
+// slope variance, and variances add (Olano & Baker 2010, "LEAN Mapping", section 3).
+float widenedRoughness(float perceptual_roughness, float slope_variance) {
+  float alpha2 = perceptual_roughness * perceptual_roughness * perceptual_roughness * perceptual_roughness;
+  return sqrt(sqrt(min(alpha2 + 2.0 * slope_variance, 1.0)));
+}
+
 // Schlick's approximation of Smith's one-sided masking (Schlick 1994, equation 19), with the k of Karis 2013, "Real
 // Shading in Unreal Engine 4", equation 4 and the text below it.
 float G1_SchlickGGX(float n_dot_x, float k) { return n_dot_x / max(n_dot_x * (1.0 - k) + k, 1e-12); }

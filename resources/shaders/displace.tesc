@@ -7,6 +7,8 @@ in vec3 v_position[];
 in vec3 v_normal[];
 in vec4 v_tangent[];
 in vec2 v_uv[];
+in vec4 v_sky[];
+in vec4 v_far[];
 in vec4 v_direction[];
 in vec3 v_gradient_u[];
 in vec3 v_gradient_v[];
@@ -15,6 +17,8 @@ out vec3 c_position[];
 out vec3 c_normal[];
 out vec4 c_tangent[];
 out vec2 c_uv[];
+out vec4 c_sky[];
+out vec4 c_far[];
 out vec4 c_direction[];
 out vec3 c_gradient_u[];
 out vec3 c_gradient_v[];
@@ -23,7 +27,6 @@ out vec3 c_gradient_v[];
 patch out vec2 c_corner_uv[3];
 patch out vec4 c_edge_uv[3];
 
-layout(std430, binding = 6) readonly buffer SeamOfTriangle { uint u_seam_of_triangle[]; };
 layout(std430, binding = 7) readonly buffer Seams { float u_seams[]; };  // 18 a seam
 
 // Pixels along the edge, seen from any side, over the pixels that a piece may have (the sphere around it: Cantlay 2011, "DirectX 11
@@ -53,6 +56,8 @@ void main() {
   c_normal[gl_InvocationID] = v_normal[gl_InvocationID];
   c_tangent[gl_InvocationID] = v_tangent[gl_InvocationID];
   c_uv[gl_InvocationID] = v_uv[gl_InvocationID];
+  c_sky[gl_InvocationID] = v_sky[gl_InvocationID];
+  c_far[gl_InvocationID] = v_far[gl_InvocationID];
   c_direction[gl_InvocationID] = v_direction[gl_InvocationID];
   c_gradient_u[gl_InvocationID] = v_gradient_u[gl_InvocationID];
   c_gradient_v[gl_InvocationID] = v_gradient_v[gl_InvocationID];
@@ -65,14 +70,13 @@ void main() {
   gl_TessLevelOuter[2] = factors.z;
   gl_TessLevelInner[0] = (factors.x + factors.y + factors.z) / 3.0;
 
-  uint seam = u_displace_first_triangle < 0 ? 0u : u_seam_of_triangle[u_displace_first_triangle + gl_PrimitiveID];
-  if (seam == 0u) {
+  if (u_displace_seam < 0) {
     for (int i = 0; i < 3; ++i) {
       c_corner_uv[i] = v_uv[i];
       c_edge_uv[i] = vec4(v_uv[(i + 1) % 3], v_uv[(i + 2) % 3]);
     }
   } else {
-    uint at = (seam - 1u) * 18u;
+    uint at = uint(u_displace_seam + gl_PrimitiveID) * 18u;
     for (int i = 0; i < 3; ++i) {
       uint corner = at + 2u * uint(i), edge = at + 6u + 4u * uint(i);
       c_corner_uv[i] = vec2(u_seams[corner], u_seams[corner + 1u]);

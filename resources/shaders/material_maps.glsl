@@ -75,12 +75,22 @@ float skyShare(Surface s, float strength, out vec3 share) {
   return 1.0 + strength * (s.baked_occlusion - 1.0);
 }
 
-// A normal map's texel as a direction in the tangent frame, its slope multiplied by `strength` and by the slot's scale.
-vec3 tangentNormal(sampler2D map, int slot, vec2 uv, float strength) {
+// What a normal map says of a place.
+struct MappedNormal {
+  vec3 normal;    // unit, tangent frame or world
+  float variance;  // of the slopes that a pixel sees as one, along one axis: widens the lobes, alpha² + 2 variance
+};
+
+// A normal map's texel as a direction in the tangent frame, its slope multiplied by `strength` and by the slot's scale. Where a pixel
+// holds many texels their mean is shorter than 1; by how much tells their variance (Toksvig 2005, "Mipmapping Normal Maps"): a slope's
+// variance σ² along each axis leaves a length of 1 / (1 + σ²). Eight bits leave a length uncertain by half a percent, which is none.
+MappedNormal tangentNormal(sampler2D map, int slot, vec2 uv, float strength) {
   vec3 n = texture(map, uv).xyz * 2.0 - 1.0;
+  float shortened = clamp(length(n), 0.25, 0.995);
   if ((u_map_bits.y & (1 << slot)) != 0) n.y = -n.y;
-  n.xy *= strength * abs(u_maps[slot].transform.x);
-  return normalize(vec3(n.xy, max(n.z, 1e-3)));
+  float factor = strength * abs(u_maps[slot].transform.x);
+  n.xy *= factor;
+  return MappedNormal(normalize(vec3(n.xy, max(n.z, 1e-3))), (0.995 / shortened - 1.0) * factor * factor);
 }
 
 // Puts the detail normal on top of the base normal as if the base were flat: reoriented normal mapping, Barré-Brisebois & Hill
@@ -103,22 +113,23 @@ vec3 worldNormal(Surface s, vec3 n) {
 }
 
 // The normal that is lit: the vertex normal bent by the normal map.
-vec3 mappedNormal(Surface s, float strength) {
-  if (!hasMap(kMapNormal) || u_map_bits.z == 0) return facingNormal(s);
-  return worldNormal(s, tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength));
+MappedNormal mappedNormal(Surface s, float strength) {
+  if (!hasMap(kMapNormal) || u_map_bits.z == 0) return MappedNormal(facingNormal(s), 0.0);
+  MappedNormal base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
+  return MappedNormal(worldNormal(s, base.normal), base.variance);
 }
 
 // The same with the tiling detail normal on top, where its mask lets it.
-vec3 mappedNormalWithDetail(Surface s, float strength, float detail_strength, float detail_tiling) {
+MappedNormal mappedNormalWithDetail(Surface s, float strength, float detail_strength, float detail_tiling) {
   bool based = hasMap(kMapNormal), detailed = hasMap(kMapDetailNormal) && detail_strength != 0.0;
-  if (u_map_bits.z == 0 || !(based || detailed)) return facingNormal(s);
-  vec3 base = vec3(0.0, 0.0, 1.0);
+  if (u_map_bits.z == 0 || !(based || detailed)) return MappedNormal(facingNormal(s), 0.0);
+  MappedNormal base = MappedNormal(vec3(0.0, 0.0, 1.0), 0.0);
   if (based) base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
-  if (!detailed) return worldNormal(s, base);
+  if (!detailed) return MappedNormal(worldNormal(s, base.normal), base.variance);
   float mask = clamp(scalarMap(u_map_detail_mask, kMapDetailMask, s.uv), 0.0, 1.0);
   vec2 uv = mapUv(kMapDetailNormal, s.uv) * detail_tiling;
-  vec3 detail = tangentNormal(u_map_detail_normal, kMapDetailNormal, uv, detail_strength * mask);
-  return worldNormal(s, reorientedNormal(base, detail));
+  MappedNormal detail = tangentNormal(u_map_detail_normal, kMapDetailNormal, uv, detail_strength * mask);
+  return MappedNormal(worldNormal(s, reorientedNormal(base.normal, detail.normal)), base.variance + detail.variance);
 }
 
 #endif

@@ -205,7 +205,8 @@ TEST_F(Eye, AMapMovesWithTheIris) {
   constexpr int kTexels = 256;
   for (int y = 0; y < kTexels; ++y)
     for (int x = 0; x < kTexels; ++x)
-      texels.insert(texels.end(), {(x + 0.5F) / kTexels, 1.0F - (y + 0.5F) / kTexels, 0.5F});
+      texels.insert(texels.end(), {(static_cast<float>(x) + 0.5F) / kTexels,
+                                   1.0F - (static_cast<float>(y) + 0.5F) / kTexels, 0.5F});
   TextureBinding raw;
   raw.colorSpace = "raw";
   setMap(scene, TextureSlot::Albedo, imageOf(kTexels, kTexels, 3, PixelType::Float, texels), raw);

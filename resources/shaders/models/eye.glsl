@@ -90,8 +90,10 @@ Shading shade(Surface s) {
   float ao = skyShare(s, u_material.occlusion_strength, share);
 
   // The tear film is smoother than the sclera, and no map bends it.
-  vec3 normal = normalize(mix(mappedNormal(s, u_material.surface_normal_strength), sight.cornea_normal, sight.window));
-  Layer layer = twoLobes(mix(roughness, u_material.eye_cornea_perceptual_roughness, sight.window), intensity);
+  MappedNormal mapped = mappedNormal(s, u_material.surface_normal_strength);
+  vec3 normal = normalize(mix(mapped.normal, sight.cornea_normal, sight.window));
+  Layer layer = twoLobes(mix(roughness, u_material.eye_cornea_perceptual_roughness, sight.window),
+                         mapped.variance * (1.0 - sight.window), intensity);
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
   LayerLight image =

@@ -49,31 +49,32 @@ vec2 onIris(EyeShape e, vec3 entry, vec3 direction) {
 }
 
 // Of a parallel beam from the unit direction `to_light`: its irradiance on the iris at `iris` over that of a surface which faces it,
-// reflection apart, and where it entered. The entry that refracts onto `iris` is found by iteration (the map from entry to
-// iris is near a scaling by 0.9); how much the beam is drawn together is that map's determinant.
+// reflection apart, and the cosine at which it entered. How much the beam is drawn together is the determinant of the map from
+// entry to iris; the entry that leads to `iris` is found by two steps of fixed-point iteration, from a flat cornea, and one of Newton's.
 struct IrisBeam {
   float gain;
-  float cosine;  // at the entry
+  float cosine;
 };
 IrisBeam irisBeam(EyeShape e, vec2 iris, vec3 to_light) {
-  vec2 xy = iris;
-  for (int i = 0; i < 3; ++i) {
-    vec3 entry = corneaOver(e, xy);
-    xy += iris - onIris(e, entry, -to_light);
+  IrisBeam beam = IrisBeam(0.0, 0.0);
+  if (to_light.z <= 0.0) return beam;
+  vec3 flat_inside = refract(-to_light, vec3(0.0, 0.0, 1.0), e.eta);
+  vec2 xy = iris + flat_inside.xy / flat_inside.z * (0.8 * max(e.centre_z + e.curve - e.iris_z, 0.0));
+  for (int i = 0; i < 2; ++i) {
     xy *= min(1.0, e.rim / max(length(xy), 1e-4));
+    xy += iris - onIris(e, corneaOver(e, xy), -to_light);
   }
-  vec3 entry = corneaOver(e, xy);
-  vec3 normal = corneaNormal(e, entry);
-  IrisBeam beam;
-  beam.cosine = clamp(dot(normal, to_light), 0.0, 1.0);
   const float kStep = 0.05;
-  vec2 there = onIris(e, entry, -to_light);
+  vec2 there = onIris(e, corneaOver(e, xy), -to_light);
   vec2 dx = (onIris(e, corneaOver(e, xy + vec2(kStep, 0.0)), -to_light) - there) / kStep;
   vec2 dy = (onIris(e, corneaOver(e, xy + vec2(0.0, kStep)), -to_light) - there) / kStep;
-  float area = dx.x * dy.y - dx.y * dy.x;
-  // Light that would have to enter beyond the rim is stopped by the sclera.
-  float missed = distance(there, iris);
-  beam.gain = beam.cosine / (normal.z * max(area, 0.25)) * (1.0 - smoothstep(0.05, 0.6, missed));
+  float area = max(dx.x * dy.y - dx.y * dy.x, 0.25);
+  vec2 missed = iris - there;
+  xy += vec2(dy.y * missed.x - dy.x * missed.y, dx.x * missed.y - dx.y * missed.x) / area;
+  vec3 normal = corneaNormal(e, corneaOver(e, xy));
+  beam.cosine = clamp(dot(normal, to_light), 0.0, 1.0);
+  // What would have to enter beyond the rim is stopped by the sclera.
+  beam.gain = beam.cosine / (normal.z * area) * (1.0 - smoothstep(e.rim - 0.1, e.rim + 0.1, length(xy)));
   return beam;
 }
 

@@ -17,7 +17,8 @@ Shading shade(Surface s) {
   float ao = occlusionMap(s.uv, u_material.occlusion_strength);
   vec3 emission = u_material.metallic_roughness_emissive.rgb * u_material.metallic_roughness_emissive_strength *
                   colourMap(u_map_emissive, kMapEmissive, s.uv).rgb;
-  vec3 normal = mappedNormal(s, u_material.surface_normal_strength);
+  MappedNormal mapped = mappedNormal(s, u_material.surface_normal_strength);
+  vec3 normal = mapped.normal;
 
   float alpha = u_material.metallic_roughness_opacity * texel.a;
   int mode = u_material.metallic_roughness_alpha_mode;
@@ -28,7 +29,7 @@ Shading shade(Surface s) {
   layer.body_f0 = vec3(0.04);
   layer.metal_f0 = albedo;
   layer.metallic = metallic;
-  layer.first = Lobe(clamp(roughness, kMinPerceptualRoughness, 1.0), 1.0);
+  layer.first = Lobe(widenedRoughness(clamp(roughness, kMinPerceptualRoughness, 1.0), mapped.variance), 1.0);
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));

@@ -57,10 +57,11 @@ Shading shade(Surface s) {
   float cavity = clamp(u_material.specular_cavity * scalarMap(u_map_cavity, kMapCavity, s.uv), 0.0, 1.0);
   vec3 share;
   float ao = skyShare(s, u_material.occlusion_strength, share);
-  vec3 normal = mappedNormalWithDetail(s, u_material.surface_normal_strength, u_material.surface_detail_strength,
-                                       u_material.surface_detail_tiling);
+  MappedNormal mapped = mappedNormalWithDetail(s, u_material.surface_normal_strength, u_material.surface_detail_strength,
+                                               u_material.surface_detail_tiling);
+  vec3 normal = mapped.normal;
 
-  Layer layer = twoLobes(roughness, intensity);
+  Layer layer = twoLobes(roughness, mapped.variance, intensity);
   layer.metal_f0 = albedo;
   layer.metallic = metallic;
 

@@ -22,7 +22,7 @@ ThesisPoint thesisPoint(Surface s) {
   ThesisPoint p;
   // The map is bound without sRGB decoding: the published code decodes with pow 2.2.
   p.albedo = u_material.base_albedo.rgb * pow(colourMap(u_map_albedo, kMapAlbedo, s.uv).rgb, vec3(2.2));
-  p.normal = mappedNormal(s, 1.0);
+  p.normal = mappedNormal(s, 1.0).normal;
   p.metallic = u_material.base_metallic * scalarMap(u_map_metallic, kMapMetallic, s.uv);
   p.roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
   p.ao = occlusionMap(s.uv, u_material.occlusion_strength);
