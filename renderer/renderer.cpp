@@ -139,7 +139,10 @@ class GlRenderer final : public Renderer {
       const bool mayDisplace = canDisplace(scene, i);
       const gl::ProgramSources surface = surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps);
       need.push_back(surface);
-      if (mayDisplace) need.push_back(tessellated(surface));
+      if (mayDisplace) {
+        need.push_back(tessellated(surface));
+        need.push_back(displacedCasterProgram());
+      }
       if (m_info.software && m_hasWindow && !withAovs && !blended) {
         moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps));
         if (mayDisplace) moving.push_back(geometryProgram(true));

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/file_reference.h"
+#include "core/base/lower_case.h"
 #include "core/base/number_format.h"
 #include "core/builtin/default_look.h"
 #include "core/builtin/environments.h"

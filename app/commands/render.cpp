@@ -8,6 +8,7 @@
 #include "app/commands/picture.h"
 #include "colour/false_colour.h"
 #include "core/base/json_fields.h"
+#include "core/base/lower_case.h"
 
 namespace dermis::cli {
 namespace {

@@ -1,4 +1,5 @@
 #include "app/commands/support.h"
+#include "core/base/lower_case.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -79,13 +80,6 @@ fs::path cacheFolder() {
   std::error_code error;
   fs::create_directories(folder, error);
   return access(folder.c_str(), W_OK | X_OK) == 0 ? folder : fs::path();
-}
-
-std::string lowerCase(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
 }
 
 std::string extensionOf(const fs::path& path) { return lowerCase(path.extension().string()); }

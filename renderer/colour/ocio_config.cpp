@@ -7,6 +7,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "core/base/lower_case.h"
 #include "core/base/resources.h"
 
 namespace dermis::ocio {
@@ -107,9 +108,6 @@ void appendRec709Transform(const ActiveConfig& active, const std::string& space,
   append("scene_linear");
 }
 
-bool sameName(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
-}
+bool sameName(std::string_view a, std::string_view b) { return lowerCase(a) == lowerCase(b); }
 
 }  // namespace dermis::ocio

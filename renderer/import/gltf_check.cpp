@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/lower_case.h"
 #include "import/gltf_data.h"
 #include "import/text.h"
 

@@ -9,6 +9,7 @@
 
 #include "import/image_source.h"
 #include "import/jpeg_markers.h"
+#include "import/pixel_type.h"
 #include "import/row_reducer.h"
 #include "import/text.h"
 #include "import/tiff_text.h"
@@ -27,20 +28,6 @@ PixelType pixelType(const OIIO::TypeDesc& format) {
     default:
       return PixelType::Float;
   }
-}
-
-OIIO::TypeDesc typeDesc(PixelType type) {
-  switch (type) {
-    case PixelType::U8:
-      return OIIO::TypeUInt8;
-    case PixelType::U16:
-      return OIIO::TypeUInt16;
-    case PixelType::Half:
-      return OIIO::TypeHalf;
-    case PixelType::Float:
-      break;
-  }
-  return OIIO::TypeFloat;
 }
 
 /// How many of the leading channels make a picture: R, G, B, A; grey; grey and alpha.

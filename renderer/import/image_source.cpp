@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/base/file_io.h"
+#include "core/base/lower_case.h"
 #include "import/jpeg_markers.h"
 #include "import/png_chunks.h"
 #include "import/text.h"

@@ -10,25 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file_io.h"
+#include "core/base/lower_case.h"
 #include "import/jpeg_markers.h"
+#include "import/pixel_type.h"
 #include "import/text.h"
 
 namespace dermis::import {
 namespace {
-
-OIIO::TypeDesc typeDesc(PixelType type) {
-  switch (type) {
-    case PixelType::U8:
-      return OIIO::TypeUInt8;
-    case PixelType::U16:
-      return OIIO::TypeUInt16;
-    case PixelType::Half:
-      return OIIO::TypeHalf;
-    case PixelType::Float:
-      break;
-  }
-  return OIIO::TypeFloat;
-}
 
 /// Format by the extension; empty for an extension that isn't one of the four.
 std::string formatOf(const std::filesystem::path& path) {

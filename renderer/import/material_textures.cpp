@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/base/lower_case.h"
 #include "import/model_io.h"
 #include "import/text.h"
 

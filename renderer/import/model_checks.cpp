@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/base/lower_case.h"
 #include "import/ply_check.h"
 #include "import/text.h"
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/base/file_io.h"
+#include "core/base/lower_case.h"
 #include "import/text.h"
 
 namespace dermis::import {

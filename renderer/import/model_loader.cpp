@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 
 #include "core/base/file_io.h"
+#include "core/base/lower_case.h"
 #include "import/gltf_check.h"
 #include "import/mesh_math.h"
 #include "import/model_checks.h"

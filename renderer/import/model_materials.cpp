@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/lower_case.h"
 #include "core/material/parameter_table.h"
 #include "import/material_textures.h"
 #include "import/text.h"

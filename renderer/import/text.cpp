@@ -46,11 +46,4 @@ std::string phrase(std::string_view text, std::size_t limit) {
   return start == std::string::npos ? std::string() : out.substr(start);
 }
 
-std::string lowerCase(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
-}
-
 }  // namespace dermis::import

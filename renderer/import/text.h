@@ -10,7 +10,4 @@ namespace dermis::import {
 /// UTF-8, no closing full stop, at most `limit` bytes.
 [[nodiscard]] std::string phrase(std::string_view text, std::size_t limit = 160);
 
-/// ASCII lower case, whatever the locale.
-[[nodiscard]] std::string lowerCase(std::string_view text);
-
 }  // namespace dermis::import

@@ -72,6 +72,15 @@ DisplacementView displacementView(const CameraMatrices& camera, glm::ivec2 size,
   return view;
 }
 
+float pixelsPerPiece(bool moving, bool software) { return (software ? 6.0F : 4.0F) * (moving ? 2.5F : 1.0F); }
+
+gl::ProgramSources displacedCasterProgram() {
+  gl::ProgramSources sources;
+  sources.vertex = "surface.vert";
+  sources.fragment = "shadow.frag";
+  return tessellated(std::move(sources));
+}
+
 void drawDisplaced(const gl::Program& program, const SlotResources& slot, const Geometry& geometry, std::size_t part,
                    const DisplacementView& view) {
   const DisplacementDensity& density = geometry.displacementDensity(part);

@@ -36,6 +36,12 @@ struct DisplacementView {
   float leastFacing = -0.3F;  ///< edges whose normals face away more are divided less; −2 divides all alike
 };
 [[nodiscard]] DisplacementView displacementView(const CameraMatrices& camera, glm::ivec2 size, float pixelsPerPiece);
+/// Pixels that an edge of a piece has: fewer where the picture stands still, more on software GL, where a small
+/// triangle costs as much as a block of pixels.
+[[nodiscard]] float pixelsPerPiece(bool moving, bool software);
+
+/// Depth only, of a displaced part: for shadow maps.
+[[nodiscard]] gl::ProgramSources displacedCasterProgram();
 
 /// Draws a part of a displaced slot with `program`, a tessellated() one in use, the geometry and the slot bound.
 void drawDisplaced(const gl::Program& program, const SlotResources& slot, const Geometry& geometry, std::size_t part,

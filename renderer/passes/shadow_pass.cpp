@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "passes/displacement.h"
 
 namespace dermis {
 
@@ -108,10 +111,14 @@ void ShadowPass::draw(const FrameContext& frame, const ShadowSample& sample, Ren
 void ShadowPass::readGeometry(const FrameContext& frame) {
   std::vector<Caster> casters;
   for (const SlotResources& slot : frame.resources.slots()) {
-    Caster caster{slot.kind, slot.hasCutOuts, {}, nullptr};
+    Caster caster{slot.kind, slot.hasCutOuts, {}, nullptr, nullptr};
     if (slot.hasCutOuts) {
       caster.material = slot.materialBytes;
       caster.albedo = slot.textures.at(static_cast<std::size_t>(TextureSlot::Albedo)).get();
+    }
+    if (slot.displaced) {
+      caster.material = slot.materialBytes;
+      caster.heights = slot.textures.at(static_cast<std::size_t>(TextureSlot::Displacement)).get();
     }
     casters.push_back(std::move(caster));
   }
@@ -218,9 +225,22 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
   glDisable(GL_CULL_FACE);  // both sides cast: scans have holes, hair cards have no back
   glDisable(GL_BLEND);
   frame.resources.geometry().bind();
-  for (const ModelPart& part : m_model->parts) {
+  for (std::size_t i = 0; i < m_model->parts.size(); ++i) {
+    const ModelPart& part = m_model->parts[i];
     const SlotResources& slot = frame.resources.slots()[part.slot];
     if (slot.kind != DrawKind::Opaque) continue;
+    if (slot.displaced) {
+      // As finely as the camera sees it, so that the surface lies on what shades it.
+      const gl::Program* program = frame.useProgram(displacedCasterProgram());
+      if (program == nullptr) continue;
+      frame.resources.bindSlot(slot);
+      DisplacementView view = displacementView(frame.camera, frame.request.size,
+                                               pixelsPerPiece(frame.request.moving, frame.resources.isSoftware()));
+      view.clipFromWorld = glm::translate(face.view.clip, -centre);
+      view.leastFacing = -2.0F;
+      drawDisplaced(*program, slot, frame.resources.geometry(), i, view);
+      continue;
+    }
     gl::ProgramSources sources;
     sources.vertex = "shadow.vert";
     sources.fragment = "shadow.frag";

@@ -58,6 +58,7 @@ class ShadowPass {
     bool hasCutOuts = false;
     std::vector<std::byte> material;
     const gl::Texture* albedo = nullptr;
+    const gl::Texture* heights = nullptr;  ///< of a displaced one
     bool operator==(const Caster&) const = default;
   };
 

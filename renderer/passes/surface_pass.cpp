@@ -14,13 +14,6 @@ SurfaceOutputs outputsOf(const FrameContext& frame, bool blended) {
   return surfaceOutputs(frame.scene, (frame.targets.images() & ~kSplit) != 0, blended);
 }
 
-/// A moving picture is divided more coarsely, and one on software GL, where a small triangle costs as much as a block
-/// of pixels.
-float pixelsPerPiece(const FrameContext& frame) {
-  const float still = frame.resources.isSoftware() ? 6.0F : 4.0F;
-  return frame.request.moving ? 2.5F * still : still;
-}
-
 /// Draws with `program` in use and the slot bound.
 void drawTriangles(const FrameContext& frame, const gl::Program& program, std::size_t index) {
   const ModelPart& part = frame.scene.model->parts[index];
@@ -31,7 +24,8 @@ void drawTriangles(const FrameContext& frame, const gl::Program& program, std::s
     return;
   }
   drawDisplaced(program, slot, geometry, index,
-                displacementView(frame.camera, frame.request.size, pixelsPerPiece(frame)));
+                displacementView(frame.camera, frame.request.size,
+                                 pixelsPerPiece(frame.request.moving, frame.resources.isSoftware())));
 }
 
 void drawPart(const FrameContext& frame, std::size_t index) {

@@ -14,6 +14,8 @@ struct GlFormat {
   GLenum internal, format, type;
 };
 
+bool isNormal(TextureSlot slot) { return slot == TextureSlot::Normal || slot == TextureSlot::DetailNormal; }
+
 GlFormat formatFor(const Image& image, bool srgb) {
   constexpr GLenum kFormats[4] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
   constexpr GLenum kU8[4] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
@@ -62,7 +64,7 @@ TextureCache::TextureCache(int maximumSize, float anisotropy) : m_maximumSize(ma
 }
 
 TextureCache::Key TextureCache::keyOf(const Image& image, const TextureBinding& binding, TextureSlot slot) {
-  return {&image, binding.colorSpace.value_or(""), textureSlotRow(slot).isColour};
+  return {&image, binding.colorSpace.value_or(""), textureSlotRow(slot).isColour, isNormal(slot)};
 }
 
 bool TextureCache::has(const std::shared_ptr<const Image>& image, const TextureBinding& binding,
@@ -101,6 +103,11 @@ std::shared_ptr<const gl::Texture> TextureCache::get(const std::shared_ptr<const
     colour.convert(reinterpret_cast<float*>(changed.pixels.data()),
                    static_cast<std::size_t>(changed.width) * static_cast<std::size_t>(changed.height));
     changed = toHalf(changed);
+    source = &changed;
+  }
+  // Some detail maps keep a height in the blue of a normal.
+  if (isNormal(slot) && lacksZ(*source)) {
+    changed = withZ(*source);
     source = &changed;
   }
   if (source->width > m_maximumSize || source->height > m_maximumSize) {

@@ -36,8 +36,8 @@ class TextureCache {
   [[nodiscard]] std::uint64_t released() const { return m_released; }
 
  private:
-  /// The image's address, the colour space asked for, and whether the slot is a colour's.
-  using Key = std::tuple<const Image*, std::string, bool>;
+  /// The image's address, the colour space asked for, and whether the slot is a colour's or a normal's.
+  using Key = std::tuple<const Image*, std::string, bool, bool>;
   struct Entry {
     std::shared_ptr<const Image> image;  ///< held, so that its address stays its name
     std::shared_ptr<const gl::Texture> texture;

@@ -134,6 +134,35 @@ Image srgbToLinear(const Image& image) {
   return out;
 }
 
+bool lacksZ(const Image& image) {
+  if (image.channels < 3) return false;
+  constexpr std::size_t kLooks = 4096;
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const std::size_t count = pixelCount(image);
+  const std::size_t step = std::max<std::size_t>(count / kLooks, 1);
+  std::size_t looked = 0, wrong = 0;
+  for (std::size_t i = 0; i < count; i += step, ++looked) {
+    float square = 0.0F;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float value = 2.0F * load(image, i * channels + c) - 1.0F;
+      square += value * value;
+    }
+    wrong += std::abs(std::sqrt(square) - 1.0F) > 0.1F ? 1 : 0;
+  }
+  return 3 * wrong > looked;
+}
+
+Image withZ(const Image& image) {
+  Image out = image;
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (std::size_t i = 0; i < pixelCount(image); ++i) {
+    const float x = 2.0F * load(image, i * channels) - 1.0F;
+    const float y = 2.0F * load(image, i * channels + 1) - 1.0F;
+    store(out, i * channels + 2, 0.5F + 0.5F * std::sqrt(std::max(1.0F - x * x - y * y, 0.0F)));
+  }
+  return out;
+}
+
 Image reduced(const Image& image, int maximumSize, bool srgb) {
   const int factor =
       std::max((image.width + maximumSize - 1) / maximumSize, (image.height + maximumSize - 1) / maximumSize);

@@ -15,6 +15,10 @@ namespace dermis {
 [[nodiscard]] Image toHalf(const Image& image);
 /// sRGB-encoded colours (IEC 61966-2-1) to linear ones as half floats; alpha, the fourth or second channel, stays.
 [[nodiscard]] Image srgbToLinear(const Image& image);
+/// Whether the blue of a normal map is something else than its z: a third of the texels far from unit length.
+[[nodiscard]] bool lacksZ(const Image& image);
+/// A normal map's blue made from its red and green.
+[[nodiscard]] Image withZ(const Image& image);
 /// Averaged down by whole pixels until neither side is over `maximumSize`; for `srgb` the average is of linear light.
 [[nodiscard]] Image reduced(const Image& image, int maximumSize, bool srgb);
 

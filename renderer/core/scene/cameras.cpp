@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
+
+#include "core/base/lower_case.h"
 
 namespace dermis {
 namespace {
@@ -22,13 +23,6 @@ constexpr std::array<NamedCameraRow, 8> kCameras = {{
 /// Space left round the framed bounds, as a factor.
 constexpr float kMargin = 1.1F;
 constexpr float kFieldOfView = 26.0F;
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
-  return result;
-}
 
 /// A box of these half extents, seen along `towards`, in view whole in a square picture: each corner gives the
 /// distance at which it just touches the frustum.
@@ -67,7 +61,7 @@ Camera framingCamera(const Bounds& bounds, const glm::vec3& towardsCamera) {
 Camera framingCamera(const Bounds& bounds) { return framingCamera(bounds, {0.0F, 0.0F, 1.0F}); }
 
 std::optional<Camera> namedCamera(std::string_view name, const Bounds& bounds) {
-  const std::string id = lowered(name);
+  const std::string id = lowerCase(name);
   if (id == "front") return framingCamera(bounds);
   if (id == "three-quarter") return framingCamera(bounds, {0.68F, 0.06F, 1.0F});
   if (id == "profile") return framingCamera(bounds, {1.0F, 0.0F, 0.0F});

@@ -69,12 +69,12 @@ vec3 eyeAlbedo(EyeSight sight) {
 }
 
 // The lamps' light on the iris, as layerLamps gives it for a body: through the cornea, which draws it together and away from the lamp.
-vec3 irisLamps(Layer layer, LayerPoint p, EyeShape shape, EyeSight sight, vec3 position) {
+vec3 irisLamps(Layer layer, LayerPoint p, EyeShape shape, EyeSight sight, vec3 position, vec3 vertex_normal) {
   vec3 sum = vec3(0.0);
   for (int i = 0; i < u_light_count.x; ++i) {
     LightSample light = lightAt(i, position);
     IrisBeam beam = irisBeam(shape, sight.iris, normalize(light.to_light * sight.world_from_eye));
-    sum += light.irradiance * beam.gain * bodyTransmittance(layer, beam.cosine);
+    sum += light.irradiance * (beam.gain * shadowAt(i, position, vertex_normal)) * bodyTransmittance(layer, beam.cosine);
   }
   return sum * kInversePi * p.body_in;
 }
@@ -99,7 +99,8 @@ Shading shade(Surface s) {
   LayerLight image =
       layerImage(layer, p, mix(facingNormal(s), sight.cornea_normal, sight.window), multiBounce(share, albedo), ao);
 
-  vec3 iris_body = irisLamps(layer, p, shape, sight, s.position) + environmentIrradiance(sight.world_from_eye[2]) * share;
+  vec3 iris_body = irisLamps(layer, p, shape, sight, s.position, facingNormal(s)) +
+                    environmentIrradiance(sight.world_from_eye[2]) * share;
   vec3 body = mix(lamps.body + image.body, iris_body, sight.window);
   float reflects = u_eye_count.y != 0 ? cavity * (1.0 - sight.window) : mix(cavity, 1.0, sight.window);
 

@@ -50,7 +50,7 @@ vec2 onIris(EyeShape e, vec3 entry, vec3 direction) {
 
 // Of a parallel beam from the unit direction `to_light`: its irradiance on the iris at `iris` over that of a surface which faces it,
 // reflection apart, and the cosine at which it entered. How much the beam is drawn together is the determinant of the map from
-// entry to iris; the entry that leads to `iris` is found by two steps of fixed-point iteration, from a flat cornea, and one of Newton's.
+// entry to iris; the entry that leads to `iris` is found by fixed-point iteration, from a flat cornea on, and a step of Newton's.
 struct IrisBeam {
   float gain;
   float cosine;
@@ -60,7 +60,7 @@ IrisBeam irisBeam(EyeShape e, vec2 iris, vec3 to_light) {
   if (to_light.z <= 0.0) return beam;
   vec3 flat_inside = refract(-to_light, vec3(0.0, 0.0, 1.0), e.eta);
   vec2 xy = iris + flat_inside.xy / flat_inside.z * (0.8 * max(e.centre_z + e.curve - e.iris_z, 0.0));
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 4; ++i) {
     xy *= min(1.0, e.rim / max(length(xy), 1e-4));
     xy += iris - onIris(e, corneaOver(e, xy), -to_light);
   }
