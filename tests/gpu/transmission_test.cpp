@@ -197,6 +197,63 @@ TEST_F(Transmission, MapGivesTheThickness) {
   EXPECT_NEAR(middle(3.0F, material, {backLight(false)}).x, twin(0.8, 0.2628, 5.0).transmitted, 1e-3);
 }
 
+TEST_F(Transmission, AllThreeSourcesAgree) {
+  for (const float thickness : {1.0F, 2.0F, 4.0F})
+    for (const glm::vec3 direction : {glm::vec3(0, 0, 1), glm::vec3(0.4F, 0.2F, 0.9F)}) {
+      Light light = backLight(true);
+      light.direction = direction;
+      Material material = walkedMaterial();
+      const glm::vec4 mesh = middle(thickness, material, {light});
+      EXPECT_GT(mesh.x, 0.02F);
+
+      material.parameters.transmissionThicknessSource = ThicknessSource::Map;
+      material.parameters.transmissionThicknessMaxMm = 8.0F;
+      ResolvedScene mapped = scene(thickness, material, {light}, glm::vec3(0.0F));
+      setMap(mapped, TextureSlot::Thickness, imageOf(1, 1, 1, PixelType::Float, {thickness / 8.0F}));
+      const glm::vec4 map = pixel(still(mapped), m_size.x / 2, m_size.y / 2);
+
+      material.parameters.transmissionThicknessSource = ThicknessSource::Shadow;
+      const glm::vec4 shadow = middle(thickness, material, {light});
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(map[c], mesh[c], 0.01F * mesh[c] + 1e-5F) << thickness << " mm, channel " << c;
+        EXPECT_NEAR(shadow[c], mesh[c], 0.05F * mesh[c] + 1e-4F) << thickness << " mm, channel " << c;
+      }
+    }
+}
+
+TEST_F(Transmission, FarSideInTheShadowIsDark) {
+  // A board some way behind the slab.
+  const auto behindABoard = [&](bool shadow) {
+    ResolvedScene made = scene(2.0F, walkedMaterial(), {backLight(shadow)}, glm::vec3(0.0F));
+    auto model = std::make_shared<Model>(*made.model);
+    const auto first = static_cast<std::uint32_t>(model->positions.size());
+    for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
+      model->positions.emplace_back(corner * 20.0F, -12.0F);
+      model->normals.emplace_back(0.0F, 0.0F, -1.0F);
+      model->tangents.emplace_back(1.0F, 0.0F, 0.0F, 1.0F);
+      model->uvs.emplace_back(0.0F);
+    }
+    for (const std::uint32_t corner : {0U, 2U, 1U, 0U, 3U, 2U}) model->indices.push_back(first + corner);
+    model->parts.front().indexCount = static_cast<std::uint32_t>(model->indices.size());
+    for (const glm::vec3& p : model->positions) model->bounds.grow(p);
+    made.model = model;
+    MeshBakeOptions options;
+    options.millimetresPerUnit = 1.0F;
+    made.bake = *bakeMesh(*made.model, options);
+    return pixel(still(made), m_size.x / 2, m_size.y / 2);
+  };
+  EXPECT_NEAR(behindABoard(false).x, twin(0.8, 0.2628, 2.0).transmitted, 2e-3);
+  EXPECT_EQ(behindABoard(true).x, 0.0F);
+}
+
+TEST_F(Transmission, LampInFrontDoesNotComeFromBehind) {
+  Light front = backLight(true);
+  front.direction = {0, 0, -1};
+  m_renderer->keepAovs({Aov::Transmission});
+  (void)middle(1.0F, walkedMaterial(), {front});
+  EXPECT_EQ(pixel(m_renderer->readAov(Aov::Transmission), m_size.x / 2, m_size.y / 2).x, 0.0F);
+}
+
 TEST_F(Transmission, UnknownThicknessIsTheLargest) {
   Material material = walkedMaterial();
   material.parameters.transmissionThicknessMaxMm = 3.0F;
