@@ -32,17 +32,23 @@ vec3 lampsThrough(Layer layer, LayerPoint p, SlabScattering scattering, vec3 pos
     // Loops of at most one round: unlike a branch, software GL leaves them out where no pixel nearby enters.
     int shadow_rounds = from_shadow && cosine > 0.0 ? 1 : 0, rounds = !from_shadow && cosine > 0.0 && !opaque ? 1 : 0;
     for (int k = 0; k < shadow_rounds; ++k) {
-      // The way through the body begins a little inside it, and is as long as the slab is thick over the cosine.
+      // The way through the body begins a little inside it. Through a slab it is as long as that is thick over the cosine; where the light only
+      // just doesn't graze, a body is no slab but round, and the way itself counts.
       float shrink = u_material.transmission_normal_scale;
-      float through = min(shadowThicknessMm(i, position, normal, shrink) * cosine + shrink, u_material.transmission_thickness_max_mm);
+      float slant = mix(1.0, cosine, smoothstep(0.3, 0.7, cosine));
+      float through = min(shadowThicknessMm(i, position, normal, shrink) * slant + shrink, u_material.transmission_thickness_max_mm);
       least = min(least, through);
       sum += light.irradiance * cosine * bodyTransmittance(layer, cosine) * slabShares(scattering, through).transmitted;
     }
     for (int k = 0; k < rounds; ++k) {
-      // Asked a little beyond the far side: thicknesses are averages, and a point inside the body would be in its shadow.
+      // Asked a little beyond the far side: thicknesses are averages. Where that still lies a little inside the body, the slab is thicker by
+      // what is left of the way; what lies farther off is another part of the body, and casts its shadow.
       float beyond = 1.25 * thickness_mm + u_material.transmission_normal_scale;
-      float lit = shadowOfFarSide(i, position, normal, beyond);
-      sum += light.irradiance * cosine * lit * bodyTransmittance(layer, cosine) * transmitted;
+      float rest = shadowThicknessMm(i, position - normal * (beyond / u_units.x), normal, 0.0);
+      if (rest >= kInside) rest = 0.0;  // a light without shadows
+      float lit = 1.0 - smoothstep(thickness_mm + 2.0, 2.0 * (thickness_mm + 2.0), rest);
+      vec3 through = slabShares(scattering, thickness_mm + rest * cosine).transmitted;
+      sum += light.irradiance * cosine * lit * bodyTransmittance(layer, cosine) * through;
     }
   }
   if (from_shadow && !known) thickness_mm = least;
