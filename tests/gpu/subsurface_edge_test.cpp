@@ -15,22 +15,23 @@ DiffusionProfile profileOf(const Material& material) { return DiffusionProfile::
 
 class SubsurfaceEdge : public SubsurfaceTest {
  protected:
-  static constexpr double kWidthMm = 24.0;
+  static constexpr double kReachMm = 3.5;
+  static constexpr double kWidthMm = 20.0;
 
   double disc(const ResolvedScene& scene, const Material& material, double mmPerPixel, const std::string& name) {
-    const Image picture = still(scene, 64);
-    return errorOfEdge(acrossTheMiddle(picture, mmPerPixel), profileOf(material), 5.0, mmPerPixel, "disc_" + name);
+    const Image picture = still(scene, 32);
+    return errorOfEdge(acrossTheMiddle(picture, mmPerPixel), profileOf(material), kReachMm, mmPerPixel, "disc_" + name);
   }
   double separable(const ResolvedScene& scene, const Material& material, double mmPerPixel, const std::string& name) {
     const Image picture = moving(scene);
-    return errorOfEdge(acrossTheMiddle(picture, mmPerPixel), profileOf(material), 5.0, 0.0, "separable_" + name);
+    return errorOfEdge(acrossTheMiddle(picture, mmPerPixel), profileOf(material), kReachMm, 0.0, "separable_" + name);
   }
 };
 
 TEST_F(SubsurfaceEdge, BothFamiliesAtThreeResolutions) {
   for (const auto& [family, material] : {std::pair<std::string, Material>{"burley", bareSkin()},
                                          std::pair<std::string, Material>{"gaussians", gaussianSkin()}})
-    for (const int size : {60, 120, 240}) {
+    for (const int size : {160, 220, 320}) {
       m_size = {size, size};
       const std::string name = family + "_" + std::to_string(size);
       const ResolvedScene scene = stepScene(material, static_cast<float>(kWidthMm));
@@ -41,7 +42,7 @@ TEST_F(SubsurfaceEdge, BothFamiliesAtThreeResolutions) {
 
 // The edge runs along the other axis.
 TEST_F(SubsurfaceEdge, Upright) {
-  m_size = {120, 120};
+  m_size = {160, 160};
   ResolvedScene scene = stepScene(bareSkin(), static_cast<float>(kWidthMm));
   scene.camera.up = {-1.0F, 0.0F, 0.0F};
   const auto upright = [&](const Image& image) {
@@ -55,11 +56,11 @@ TEST_F(SubsurfaceEdge, Upright) {
     return turned;
   };
   for (const bool isMoving : {false, true}) {
-    Image picture = upright(isMoving ? moving(scene) : still(scene, 64));
-    auto points = acrossTheMiddle(picture, kWidthMm / 120);
+    Image picture = upright(isMoving ? moving(scene) : still(scene, 32));
+    auto points = acrossTheMiddle(picture, kWidthMm / 160);
     if (points.front().colour.r > points.back().colour.r)
       for (EdgePoint& point : points) point.x = -point.x;
-    EXPECT_LE(errorOfEdge(points, profileOf(bareSkin()), 5.0, isMoving ? 0.0 : kWidthMm / 120,
+    EXPECT_LE(errorOfEdge(points, profileOf(bareSkin()), kReachMm, isMoving ? 0.0 : kWidthMm / 160,
                           isMoving ? "separable_upright" : "disc_upright"),
               isMoving ? 0.02 : 0.005);
   }
@@ -67,7 +68,7 @@ TEST_F(SubsurfaceEdge, Upright) {
 
 // Lengths stay millimetres on a surface seen at 45°, tilted across the edge and along it.
 TEST_F(SubsurfaceEdge, SeenAtFortyFiveDegrees) {
-  m_size = {160, 160};
+  m_size = {200, 200};
   for (const bool acrossEdge : {true, false}) {
     ResolvedScene scene = stepScene(bareSkin(), static_cast<float>(kWidthMm));
     const float a = 5.0F * std::sqrt(0.5F);
@@ -101,7 +102,7 @@ TEST_F(SubsurfaceEdge, WidthsAreMillimetres) {
       m_size = {size, size};
       ResolvedScene scene = stepScene(material, 36.0F);
       if (tilted) scene.camera.position = {a, 0.0F, a};
-      const auto points = acrossTheMiddle(still(scene, 64), 36.0 / size * (tilted ? std::sqrt(2.0) : 1.0), 16);
+      const auto points = acrossTheMiddle(still(scene, 32), 36.0 / size * (tilted ? std::sqrt(2.0) : 1.0), 16);
       for (int c = 0; c < 3; ++c) {
         double exact = 0.0;  // where the profile's own edge passes a tenth, by halving
         double low = 0.0, high = 20.0;
@@ -130,15 +131,17 @@ TEST_F(SubsurfaceEdge, PerspectiveOfAnyAngle) {
   }
 }
 
-// A radius under a pixel fades to Lambert: the edge is right at every size, and without any length the picture is the
-// one without diffusion.
+// A radius under a pixel fades to Lambert: what a pixel's light does within the pixel is not known, which near the edge
+// costs at most 2 % of the plateau and vanishes with the radius. Without any length the picture is the one without
+// diffusion.
 TEST_F(SubsurfaceEdge, UnderAPixel) {
   m_size = {60, 60};
   for (const float scale : {0.5F, 0.1F, 0.01F}) {
     Material material = bareSkin();
     material.parameters.subsurfaceScale = scale;
     const ResolvedScene scene = stepScene(material, static_cast<float>(kWidthMm));
-    EXPECT_LE(disc(scene, material, kWidthMm / 60, "scale_" + std::to_string(scale)), 0.005) << scale;
+    EXPECT_LE(disc(scene, material, kWidthMm / 60, "scale_" + std::to_string(scale)), scale < 0.05F ? 0.002 : 0.02)
+        << scale;
   }
   Material none = bareSkin();
   none.parameters.subsurfaceScale = 0.0F;
@@ -156,7 +159,7 @@ TEST_F(SubsurfaceEdge, HalfTheScreen) {
   material.parameters.subsurfaceRadiusMm = {2.25F, 1.0F, 0.5F};
   ResolvedScene scene = stepScene(material, 120.0F);
   scene.camera.orthographicHeight = 1.0F;  // the middle 60 mm
-  const Image picture = still(scene, 64);
+  const Image picture = still(scene, 32);
   const auto points = acrossTheMiddle(picture, 0.5, 16);
   // Light from beyond the picture's border is not seen: near the middle that misses little.
   EXPECT_LE(errorOfEdge(points, profileOf(material), 8.0, 0.5, "disc_half_the_screen"), 0.02);

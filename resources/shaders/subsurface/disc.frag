@@ -48,7 +48,8 @@ void main() {
 
   vec3 light = vec3(0.0), found = vec3(0.0), beyond = vec3(0.0);
   for (int i = 0; i < DERMIS_SAMPLES; ++i) {
-    float r = profileTable((float(i) + shift) / float(DERMIS_SAMPLES), profile).a;
+    vec2 drawn = drawnRadius((float(i) + shift) / float(DERMIS_SAMPLES), profile);
+    float r = drawn.x;
     direction = vec2(direction.x * kGoldenStep.x - direction.y * kGoldenStep.y,
                      direction.x * kGoldenStep.y + direction.y * kGoldenStep.x);
     vec2 offset = r * direction;
@@ -85,10 +86,9 @@ void main() {
       // cos/distance² of the plane over that of the surface.
       area = facing_t * q2 * sqrt(q2) / (facing_q * t2 * sqrt(t2));
     }
-    vec3 drawn = radiusTimesDensity(r, extent, profile);
-    float pdf = (drawn.r + drawn.g + drawn.b) / 3.0;  // times r
-    vec3 weight = radiusTimesDensity(max(distance_mm, 1e-9), extent, profile) *
-                  (r / (max(distance_mm, 1e-9) * max(pdf, 1e-30))) * (together * min(area, 8.0));
+    // Before it is divided by the sum, a sample weighs R(distance) · area / pdf(r).
+    distance_mm = max(distance_mm, 1e-9);
+    vec3 weight = radiusTimesDensity(distance_mm, extent, profile) * (drawn.y * r / distance_mm * together * min(area, 8.0));
     if (int(other_geometry.z + 0.5) == id) {
       weight *= other.a;
       light += weight * other.rgb;

@@ -17,18 +17,22 @@ layout(std140, binding = 4) uniform ProfileBlock {
 // Row: profile. Texel i: rgb r·R(r) at r = radius · (i/(size − 1))⁴; a the radius within which i/(size − 1) of the mean of the three leaves.
 layout(binding = 26) uniform sampler2D u_profile_table;
 
-vec4 profileTable(float x, int profile) {
-  float at = clamp(x, 0.0, 1.0) * float(kTableSize - 1);
-  int low = min(int(at), kTableSize - 2);
-  vec4 a = texelFetch(u_profile_table, ivec2(low, profile), 0);
-  vec4 b = texelFetch(u_profile_table, ivec2(low + 1, profile), 0);
-  return mix(a, b, at - float(low));
-}
-
 // r · R(r) of a profile that reaches as far as `extent`.
 vec3 radiusTimesDensity(float r, float extent, int profile) {
-  float x = sqrt(sqrt(r / max(extent, 1e-12)));
-  return x < 1.0 ? profileTable(x, profile).rgb : vec3(0.0);
+  float at = sqrt(sqrt(r / max(extent, 1e-12))) * float(kTableSize - 1);
+  int low = min(int(at), kTableSize - 2);
+  vec3 a = texelFetch(u_profile_table, ivec2(low, profile), 0).rgb;
+  vec3 b = texelFetch(u_profile_table, ivec2(low + 1, profile), 0).rgb;
+  return at < float(kTableSize - 1) ? mix(a, b, at - float(low)) : vec3(0.0);
+}
+
+// A radius drawn with the random number u of 0..1, and one over r · pdf(r), its density over the plane.
+vec2 drawnRadius(float u, int profile) {
+  float at = u * float(kTableSize - 1);
+  int low = min(int(at), kTableSize - 2);
+  float a = texelFetch(u_profile_table, ivec2(low, profile), 0).a;
+  float b = texelFetch(u_profile_table, ivec2(low + 1, profile), 0).a;
+  return vec2(mix(a, b, at - float(low)), 6.28318530717958648 * (b - a) * float(kTableSize - 1));
 }
 
 // How much of the light from a surface point counts that lies `height` away from where a flat, or evenly curved, surface would have it:
