@@ -43,10 +43,18 @@ float V_SmithGGXCorrelated(float n_dot_v, float n_dot_l, float root_v, float roo
 }
 
 // D_GGX · V_SmithGGXCorrelated with one division for both.
-float DV_GGX(float n_dot_h2, float sin2_n_h, float n_dot_v, float n_dot_l, float alpha2, float root_v) {
-  float spread = sin2_n_h + n_dot_h2 * alpha2;
+//
+// `widening` is for light from a disc rather than a point: the square of half its angular radius, which is how far it spreads half
+// vectors. The mean over a disc of radius ρ of D about its peak, α²/(π (θ² + α²)²), is 1/(π (α² + ρ²)): the peak of a lobe of
+// α² + ρ², and like any D that one keeps the light's energy (in the spirit of Karis 2013, equation 10, which has to divide it out).
+float DV_GGX(float n_dot_h2, float sin2_n_h, float n_dot_v, float n_dot_l, float alpha2, float root_v, float widening) {
+  float wide2 = min(alpha2 + widening, 1.0);
+  float spread = sin2_n_h + n_dot_h2 * wide2;
   float masking = n_dot_l * root_v + n_dot_v * smithRoot(n_dot_l, alpha2);
-  return 0.5 * kInversePi * alpha2 / max(spread * spread * masking, 1e-30);
+  return 0.5 * kInversePi * wide2 / max(spread * spread * masking, 1e-30);
+}
+float DV_GGX(float n_dot_h2, float sin2_n_h, float n_dot_v, float n_dot_l, float alpha2, float root_v) {
+  return DV_GGX(n_dot_h2, sin2_n_h, n_dot_v, n_dot_l, alpha2, root_v, 0.0);
 }
 
 // The lobe of facets that lie on a bumpy surface whose slopes have this variance along each axis: α² is twice a Beckmann lobe's

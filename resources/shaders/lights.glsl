@@ -1,9 +1,10 @@
 // What the scene's lights send to a point.
 //
 // Intensities: point, spot, sphere and rect lights have a radiant intensity, so they give I/d² at distance d scene units; a
-// directional light has its irradiance. A sphere light is lit from its centre, which for a point that sees all of it is its exact
-// irradiance (I = L π r²); a rect light from its centre with the one-sided cosine of a flat emitter, whose intensity on the axis
-// is the light's. The shape of their highlights is a point's.
+// directional light has its irradiance. In a still picture every sample takes another point of a sphere or rect light (LightPoint in
+// renderer/lighting/light_point.h), which shines as a piece of a flat emitter with the one-sided cosine: a rect's intensity is the one on
+// its axis. Where there is one picture only, a sphere is lit from its centre, which for a point that sees all of it is its exact
+// irradiance (I = L π r²), and a rect from its own; highlights are as wide as the light either way.
 #ifndef DERMIS_LIGHTS
 #define DERMIS_LIGHTS
 
@@ -18,6 +19,7 @@ const int kLightRect = 4;
 struct LightSample {
   vec3 to_light;    // unit; shorter inside a sphere light
   vec3 irradiance;  // on a surface that faces the light
+  float widening;   // of highlights, see DV_GGX
 };
 
 // 1 inside the inner cone, 0 outside the outer one; the square of the linear ramp between their cosines, as glTF's
@@ -34,6 +36,7 @@ LightSample lightAt(int index, vec3 position) {
   if (type == kLightDirectional) {
     result.to_light = -light.direction_outer.xyz;
     result.irradiance = light.radiant_inner.rgb;
+    result.widening = 0.0;
     return result;
   }
   vec3 offset = light.position_type.xyz - position;
@@ -42,6 +45,8 @@ LightSample lightAt(int index, vec3 position) {
   float inverse_distance = inversesqrt(max(dot(offset, offset), max(nearest, 1e-8)));
   result.to_light = offset * inverse_distance;
   result.irradiance = light.radiant_inner.rgb * (inverse_distance * inverse_distance);
+  float half_angle = 0.5 * light.size.w * inverse_distance;
+  result.widening = half_angle * half_angle;
   float cos_angle = -dot(result.to_light, light.direction_outer.xyz);
   if (type == kLightSpot) result.irradiance *= spotFalloff(cos_angle, light.radiant_inner.w, light.direction_outer.w);
   if (type == kLightRect) result.irradiance *= max(cos_angle, 0.0);

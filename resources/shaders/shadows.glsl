@@ -58,14 +58,14 @@ struct ShadowTexels {
   vec4 dy;
 };
 
-ShadowTexels shadowTexels(vec2 texel, float layer) {
+ShadowTexels shadowTexels(vec2 texel, float layer, bool between) {
   vec2 corner = floor(texel - 0.5);
   vec2 f = texel - 0.5 - corner;
   ShadowTexels t;
   t.depth = textureGather(u_shadow_maps, vec3((corner + 1.0) / u_shadow_centre.w, layer));
   t.dx = vec4(0.0, 1.0, 1.0, 0.0) - f.x;
   t.dy = vec4(1.0, 1.0, 0.0, 0.0) - f.y;
-  vec2 w = u_shadow_filter.x > 0.5 ? f : step(0.5, f);
+  vec2 w = between ? f : step(0.5, f);
   t.weight = vec4((1.0 - w.x) * w.y, w.x * w.y, w.x * (1.0 - w.y), (1.0 - w.x) * (1.0 - w.y));
   return t;
 }
@@ -78,12 +78,15 @@ float shadowAt(int light, vec3 position, vec3 normal) {
   vec3 p = position - u_shadow_centre.xyz + normal * view.texel.z;
   vec4 clip = view.texel_from_world * vec4(p, 1.0);
   vec3 q = clip.xyz / max(clip.w, 1e-6);
-  // The surface's plane in texels and depth gives the depth's slope, as far as the light isn't too low.
+  // The surface's plane in texels and depth gives the depth's slope, as far as the light isn't too low. One that turns away has none that
+  // the light could see.
   vec4 plane = vec4(normal, -dot(normal, p));
-  vec2 slope = vec2(dot(view.plane_x, plane), dot(view.plane_y, plane)) / -max(dot(view.plane_z, plane), 1e-20);
+  float facing = dot(view.plane_z, plane);
+  vec2 slope = vec2(dot(view.plane_x, plane), dot(view.plane_y, plane)) / -max(facing, 1e-20);
+  if (facing <= 0.0) slope = vec2(0.0);
   float steepest = kSteepest * view.texel.x * (view.texel.y > 0.0 ? view.texel.y : q.z);
   slope = clamp(slope, -steepest, steepest);
-  ShadowTexels t = shadowTexels(q.xy, view.texel.w);
+  ShadowTexels t = shadowTexels(q.xy, view.texel.w, u_shadow_filter.x > 0.5);
   // Reversed depth: what is nearer to the light is larger.
   return dot(t.weight, step(t.depth, vec4(q.z) + slope.x * t.dx + slope.y * t.dy));
 }
@@ -104,7 +107,7 @@ float shadowThicknessMm(int light, vec3 position, vec3 normal, float shrink_mm) 
   if (view.texel.w < 0.0) return kInside;
   vec4 clip = view.texel_from_world * vec4(inside - u_shadow_centre.xyz, 1.0);
   vec3 q = clip.xyz / max(clip.w, 1e-6);
-  ShadowTexels t = shadowTexels(q.xy, view.texel.w);
+  ShadowTexels t = shadowTexels(q.xy, view.texel.w, true);
   vec4 through;
   if (view.texel.y > 0.0) {
     through = (t.depth - q.z) / view.texel.y;

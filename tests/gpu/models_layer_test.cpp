@@ -101,7 +101,7 @@ class ModelsLayer : public GlTest {
 const std::string kLampBody = R"(
   vec3 n = vec3(0, 0, 1);
   LayerPoint p = layerPoint(layer(), n, a.xyz);
-  x = vec4(layerSpecular(p, b.xyz, b.z), 0);
+  x = vec4(layerSpecular(p, b.xyz, b.z, 0.0), 0);
   y = vec4(bodyTransmittance(layer(), b.z) * p.body_in * p.body_out, 0);)";
 
 TEST_F(ModelsLayer, LampIsItsTwin) {
@@ -137,7 +137,7 @@ TEST_F(ModelsLayer, ReciprocalAndNotNegative) {
     const auto got = run(c, R"(
   vec3 n = vec3(0, 0, 1);
   LayerPoint p = layerPoint(layer(), n, a.xyz), q = layerPoint(layer(), n, b.xyz);
-  vec3 compensated = layerSpecular(p, b.xyz, b.z);
+  vec3 compensated = layerSpecular(p, b.xyz, b.z, 0.0);
   vec3 f0 = mix(layer().body_f0, layer().metal_f0, layer().metallic);  // as without compensation
   p.first.at_normal = q.first.at_normal = layer().first.weight * f0;
   p.first.at_grazing = q.first.at_grazing = layer().first.weight * (1.0 - f0);
@@ -145,8 +145,8 @@ TEST_F(ModelsLayer, ReciprocalAndNotNegative) {
   p.second.at_normal = q.second.at_normal = layer().second.weight * f0;
   p.second.at_grazing = q.second.at_grazing = layer().second.weight * (1.0 - f0);
 #endif
-  vec3 there = layerSpecular(p, b.xyz, b.z) + bodyTransmittance(layer(), b.z) * p.body_in * p.body_out / kPi;
-  vec3 back = layerSpecular(q, a.xyz, a.z) + bodyTransmittance(layer(), a.z) * q.body_in * q.body_out / kPi;
+  vec3 there = layerSpecular(p, b.xyz, b.z, 0.0) + bodyTransmittance(layer(), b.z) * p.body_in * p.body_out / kPi;
+  vec3 back = layerSpecular(q, a.xyz, a.z, 0.0) + bodyTransmittance(layer(), a.z) * q.body_in * q.body_out / kPi;
   x = vec4(there, min(min(compensated.r, compensated.g), compensated.b));
   y = vec4(back, 0);)",
                          inputs);

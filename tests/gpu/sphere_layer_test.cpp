@@ -58,6 +58,8 @@ Light lightOf(LightType type) {
   light.innerDegrees = 8.0F;
   light.outerDegrees = 22.0F;
   light.shadow = false;
+  light.radiusMm = 1.0F;  // a point, nearly: light_area_test.cpp has larger ones
+  light.sizeMm = {1.0F, 1.0F};
   return light;
 }
 

@@ -27,22 +27,15 @@ struct TypeRow {
   const char* label;
   const char* icon;
 };
-constexpr std::array<TypeRow, 3> kTypes = {
+constexpr std::array<TypeRow, 5> kTypes = {
     {{LightType::Point, QT_TRANSLATE_NOOP("dermis::LightsPanel", "Point"), "light"},
      {LightType::Directional, QT_TRANSLATE_NOOP("dermis::LightsPanel", "Directional"), "sun"},
-     {LightType::Spot, QT_TRANSLATE_NOOP("dermis::LightsPanel", "Spot"), "spot"}}};
+     {LightType::Spot, QT_TRANSLATE_NOOP("dermis::LightsPanel", "Spot"), "spot"},
+     {LightType::Sphere, QT_TRANSLATE_NOOP("dermis::LightsPanel", "Sphere"), "sphere"},
+     {LightType::Rect, QT_TRANSLATE_NOOP("dermis::LightsPanel", "Rectangle"), "rect-light"}}};
 
-/// Area lights are in the file format already, and drawn as point lights; they keep their type.
-QString typeLabel(LightType type) {
-  if (type == LightType::Sphere) return LightsPanel::tr("Sphere");
-  if (type == LightType::Rect) return LightsPanel::tr("Rectangle");
-  return LightsPanel::tr(kTypes.at(static_cast<std::size_t>(type)).label);
-}
-const char* typeIcon(LightType type) {
-  if (type == LightType::Sphere) return "sphere";
-  if (type == LightType::Rect) return "rect-light";
-  return kTypes.at(static_cast<std::size_t>(type)).icon;
-}
+QString typeLabel(LightType type) { return LightsPanel::tr(kTypes.at(static_cast<std::size_t>(type)).label); }
+const char* typeIcon(LightType type) { return kTypes.at(static_cast<std::size_t>(type)).icon; }
 
 QString nameOf(const Light& light, std::size_t index) {
   return light.name.empty() ? LightsPanel::tr("%1 %2").arg(typeLabel(light.type)).arg(index + 1)
@@ -148,6 +141,9 @@ void LightsPanel::buildRows() {
       basic, tr("Visible lamp"), "visible", new SwitchEditor, [](const Light& l) { return ParameterValue(l.visible); },
       [](Light& l, const ParameterValue& v) { l.visible = std::get<bool>(v); });
   addEntry(
+      basic, tr("Casts shadows"), "shadow", new SwitchEditor, [](const Light& l) { return ParameterValue(l.shadow); },
+      [](Light& l, const ParameterValue& v) { l.shadow = std::get<bool>(v); });
+  addEntry(
       place, tr("Position"), "position", new TripleEditor(open), [](const Light& l) { return l.position; },
       [](Light& l, const ParameterValue& v) { l.position = std::get<glm::vec3>(v); },
       [](const Light& l) { return l.type != LightType::Directional; });
@@ -179,6 +175,12 @@ void LightsPanel::buildRows() {
       m_shape, tr("Radius"), "radius_mm", new ScalarEditor(NumberRange{0, 1e6, 0, 200, QStringLiteral("mm")}),
       [](const Light& l) { return l.radiusMm; }, [](Light& l, const ParameterValue& v) { l.radiusMm = floatOf(v); },
       [](const Light& l) { return l.type == LightType::Sphere || l.visible; });
+  addEntry(
+      m_shape, tr("Size"), "size_mm",
+      new VectorEditor(2, NumberRange{0, 1e6, 0, 1000, QStringLiteral("mm")}, {tr("Width"), tr("Height")}),
+      [](const Light& l) { return l.sizeMm; },
+      [](Light& l, const ParameterValue& v) { l.sizeMm = std::get<glm::vec2>(v); },
+      [](const Light& l) { return l.type == LightType::Rect; });
   addEntry(
       motion, tr("Motion"), "animation.kind", new ChoiceEditor({tr("None"), tr("Orbit"), tr("Sway")}),
       [](const Light& l) { return EnumValue{static_cast<int>(l.animation.kind)}; },
@@ -217,8 +219,9 @@ void LightsPanel::addLight(LightType type) {
       light.direction[i] = tidy(light.direction[i]);
     }
     light.intensity = tidy(light.intensity);
-    light.radiusMm = 0.05F * bounds.radius() * m_document.millimetresPerUnit();
-    light.radiusMm = tidy(light.radiusMm);
+    const float radiusMm = bounds.radius() * m_document.millimetresPerUnit();
+    light.radiusMm = tidy((type == LightType::Sphere ? 0.2F : 0.05F) * radiusMm);
+    light.sizeMm = glm::vec2(tidy(0.8F * radiusMm), tidy(1.2F * radiusMm));
   }
   m_document.addLight(light);
   m_list->setCurrentRow(m_list->count() - 1);
@@ -262,7 +265,8 @@ void LightsPanel::refreshEditors() {
     entry.row->setVisible(!entry.applies || entry.applies(light));
     entry.row->showValue(entry.get(light));
   }
-  m_shape->setVisible(light.type == LightType::Spot || light.type == LightType::Sphere || light.visible);
+  m_shape->setVisible(light.type == LightType::Spot || light.type == LightType::Sphere ||
+                      light.type == LightType::Rect || light.visible);
 }
 
 }  // namespace dermis

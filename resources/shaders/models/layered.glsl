@@ -119,16 +119,16 @@ LayerPoint layerPoint(Layer layer, vec3 normal, vec3 view) {
 }
 
 // The lobes' BRDF value for one light, without the cosine.
-vec3 layerSpecular(LayerPoint p, vec3 to_light, float n_dot_l) {
+vec3 layerSpecular(LayerPoint p, vec3 to_light, float n_dot_l, float widening) {
   vec3 h = normalize(to_light + p.view);
   float n_dot_h2 = dot(p.normal, h) * dot(p.normal, h);
   vec3 n_cross_h = cross(p.normal, h);
   float sin2_n_h = dot(n_cross_h, n_cross_h);
   float grazing = pow5(1.0 - clamp(dot(p.view, h), 0.0, 1.0));
-  vec3 sum = DV_GGX(n_dot_h2, sin2_n_h, p.n_dot_v, n_dot_l, p.first.alpha2, p.first.root_v) *
+  vec3 sum = DV_GGX(n_dot_h2, sin2_n_h, p.n_dot_v, n_dot_l, p.first.alpha2, p.first.root_v, widening) *
              (p.first.at_normal + p.first.at_grazing * grazing);
 #if DERMIS_LOBES == 2
-  sum += DV_GGX(n_dot_h2, sin2_n_h, p.n_dot_v, n_dot_l, p.second.alpha2, p.second.root_v) *
+  sum += DV_GGX(n_dot_h2, sin2_n_h, p.n_dot_v, n_dot_l, p.second.alpha2, p.second.root_v, widening) *
          (p.second.at_normal + p.second.at_grazing * grazing);
 #endif
   return sum;
@@ -142,7 +142,7 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position, vec3 vertex_norm
     float n_dot_l = clamp(dot(p.normal, light.to_light), 0.0, 1.0);
     if (n_dot_l <= 0.0) continue;
     vec3 received = light.irradiance * (n_dot_l * shadowAt(i, position, vertex_normal));
-    sum.specular += received * layerSpecular(p, light.to_light, n_dot_l);
+    sum.specular += received * layerSpecular(p, light.to_light, n_dot_l, light.widening);
     sum.body += received * bodyTransmittance(layer, n_dot_l);
   }
   sum.body *= kInversePi * p.body_in;
