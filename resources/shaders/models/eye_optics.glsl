@@ -62,7 +62,8 @@ IrisBeam irisBeam(EyeShape e, vec2 iris, vec3 to_light) {
   vec2 xy = iris + flat_inside.xy / flat_inside.z * (0.8 * max(e.centre_z + e.curve - e.iris_z, 0.0));
   for (int i = 0; i < 4; ++i) {
     xy *= min(1.0, e.rim / max(length(xy), 1e-4));
-    xy += iris - onIris(e, corneaOver(e, xy), -to_light);
+    // The map stretches by 0.9 across the light's plane and by up to 1.9 along it.
+    xy += 0.75 * (iris - onIris(e, corneaOver(e, xy), -to_light));
   }
   const float kStep = 0.05;
   vec2 there = onIris(e, corneaOver(e, xy), -to_light);
@@ -74,7 +75,7 @@ IrisBeam irisBeam(EyeShape e, vec2 iris, vec3 to_light) {
   vec3 normal = corneaNormal(e, corneaOver(e, xy));
   beam.cosine = clamp(dot(normal, to_light), 0.0, 1.0);
   // What would have to enter beyond the rim is stopped by the sclera.
-  beam.gain = beam.cosine / (normal.z * area) * (1.0 - smoothstep(e.rim - 0.1, e.rim + 0.1, length(xy)));
+  beam.gain = beam.cosine / (normal.z * area) * (1.0 - smoothstep(e.rim - 0.03, e.rim + 0.03, length(xy)));
   return beam;
 }
 
