@@ -26,8 +26,8 @@ class Pieces {
 struct Piece {
   std::vector<glm::dvec3> points;
   std::vector<glm::dvec2> uvs;
-  glm::dvec3 boundary{0.0};  ///< sum of the middles of edges with one triangle
-  int boundaryEdges = 0;
+  glm::dvec3 facing{0.0};  ///< sum of the triangles' areas as vectors: zero for a closed surface
+  double area = 0.0;
 };
 
 struct Sphere {
@@ -91,10 +91,8 @@ glm::dvec3 lookingAlong(const Piece& piece, const Sphere& sphere) {
   // A tenth of a percent of the vertices, three percent off, all to one side.
   if (amount > 3e-5 * static_cast<double>(piece.points.size()) && glm::length(departure) > 0.5 * amount)
     return glm::normalize(departure);
-  if (piece.boundaryEdges > 0) {
-    const glm::dvec3 away = sphere.centre - piece.boundary / static_cast<double>(piece.boundaryEdges);
-    if (glm::length(away) > 0.2 * sphere.radius) return glm::normalize(away);
-  }
+  // What an open surface lacks it faces away from; a fiftieth of its area is more than rounding.
+  if (glm::length(piece.facing) > 0.02 * piece.area) return glm::normalize(piece.facing);
   return {0.0, 0.0, 1.0};
 }
 
@@ -153,13 +151,11 @@ std::vector<Piece> piecesOf(const Model& model, const ModelPart& part) {
     placeOf.emplace(v, at->second);
   }
   Pieces sets(vertices.size());
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::uint32_t k = 0; k + 2 < part.indexCount; k += 3) {
     std::uint32_t corner[3];
     for (std::uint32_t i = 0; i < 3; ++i) corner[i] = placeOf.at(model.indices[part.firstIndex + k + i]);
     sets.join(corner[0], corner[1]);
     sets.join(corner[0], corner[2]);
-    for (int i = 0; i < 3; ++i) ++edges[std::minmax(corner[i], corner[(i + 1) % 3])];
   }
   std::map<std::uint32_t, Piece> found;
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
@@ -167,11 +163,14 @@ std::vector<Piece> piecesOf(const Model& model, const ModelPart& part) {
     piece.points.emplace_back(model.positions[vertices[i]]);
     piece.uvs.emplace_back(model.uvs[vertices[i]]);
   }
-  for (const auto& [edge, triangles] : edges) {
-    if (triangles != 1) continue;
-    Piece& piece = found.at(sets.find(edge.first));
-    piece.boundary += 0.5 * glm::dvec3(model.positions[vertices[edge.first]] + model.positions[vertices[edge.second]]);
-    ++piece.boundaryEdges;
+  for (std::uint32_t k = 0; k + 2 < part.indexCount; k += 3) {
+    const std::uint32_t* v = &model.indices[part.firstIndex + k];
+    const glm::dvec3 from(model.positions[v[0]]);
+    const glm::dvec3 area =
+        0.5 * glm::cross(glm::dvec3(model.positions[v[1]]) - from, glm::dvec3(model.positions[v[2]]) - from);
+    Piece& piece = found.at(sets.find(placeOf.at(v[0])));
+    piece.facing += area;
+    piece.area += glm::length(area);
   }
   std::vector<Piece> pieces;
   for (auto& [root, piece] : found) pieces.push_back(std::move(piece));
@@ -212,6 +211,8 @@ std::vector<Eyeball> findEyeballs(const Model& model, const ModelPart& part) {
       eyes.push_back(std::move(candidate));
       continue;
     }
+    around->piece.facing += candidate.piece.facing;
+    around->piece.area += candidate.piece.area;
     around->piece.points.insert(around->piece.points.end(), candidate.piece.points.begin(),
                                 candidate.piece.points.end());
     around->piece.uvs.insert(around->piece.uvs.end(), candidate.piece.uvs.begin(), candidate.piece.uvs.end());
