@@ -22,6 +22,7 @@ void main() {
 )";
   gl::ProgramSources sources;
   sources.compute = "probe.comp";
+  sources.defines = {"DERMIS_COMPUTE"};
   sources.generated["probe.comp"] = body + kFrame;
   const auto program = library.program(sources);
   EXPECT_TRUE(program.has_value()) << program.error().message;

@@ -18,8 +18,13 @@ int lobeSamples() { return u_sampling.w >= 8 ? 1 : 0; }
 // Evenly spread over pixels and samples: interleaved gradient noise (Jimenez 2014, "Next Generation Post Processing in Call of Duty:
 // Advanced Warfare") shifts the sample's own numbers (Cranley & Patterson 1976).
 vec2 lobeRandom(vec2 numbers) {
-  vec2 shift = vec2(fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))),
-                    fract(52.9829189 * fract(dot(gl_FragCoord.yx + 47.0, vec2(0.06711056, 0.00583715)))));
+#ifdef DERMIS_COMPUTE
+  vec2 pixel = vec2(gl_GlobalInvocationID.xy);  // tests ask the models from outside any picture
+#else
+  vec2 pixel = gl_FragCoord.xy;
+#endif
+  vec2 shift = vec2(fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))),
+                    fract(52.9829189 * fract(dot(pixel.yx + 47.0, vec2(0.06711056, 0.00583715)))));
   return fract(numbers + shift);
 }
 
