@@ -13,7 +13,12 @@
 #include "lighting/environment.glsl"
 
 // Number of directions of this sample: none while moving, nor for pictures of a few samples, which would stay noisy.
+// Software GL draws moving pictures deferred, and would run through all of it to add nothing.
+#ifdef DERMIS_DEFERRED
+int lobeSamples() { return 0; }
+#else
 int lobeSamples() { return u_sampling.w >= 8 ? 1 : 0; }
+#endif
 
 // Evenly spread over pixels and samples: interleaved gradient noise (Jimenez 2014, "Next Generation Post Processing in Call of Duty:
 // Advanced Warfare") shifts the sample's own numbers (Cranley & Patterson 1976).

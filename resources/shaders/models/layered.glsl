@@ -140,10 +140,13 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position, vec3 vertex_norm
   for (int i = 0; i < u_light_count.x; ++i) {
     LightSample light = lightAt(i, position);
     float n_dot_l = clamp(dot(p.normal, light.to_light), 0.0, 1.0);
-    if (n_dot_l <= 0.0) continue;
-    vec3 received = light.irradiance * (n_dot_l * shadowAt(i, position, vertex_normal));
-    sum.specular += received * layerSpecular(p, light.to_light, n_dot_l, light.widening);
-    sum.body += received * bodyTransmittance(layer, n_dot_l);
+    // A loop of at most one round: unlike a branch, software GL leaves it out where no pixel nearby is lit.
+    int rounds = n_dot_l > 0.0 ? 1 : 0;
+    for (int k = 0; k < rounds; ++k) {
+      vec3 received = light.irradiance * (n_dot_l * shadowAt(i, position, vertex_normal));
+      sum.specular += received * layerSpecular(p, light.to_light, n_dot_l, light.widening);
+      sum.body += received * bodyTransmittance(layer, n_dot_l);
+    }
   }
   sum.body *= kInversePi * p.body_in;
   return sum;
