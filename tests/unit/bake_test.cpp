@@ -157,6 +157,25 @@ TEST(MeshBake, SlabsHaveTheirThickness) {
   }
 }
 
+// On an edge a ray inwards would run along the next face.
+TEST(MeshBake, BoxOfFewVerticesHasItsThickness) {
+  for (const float thickness : {1.0F, 8.0F}) {
+    Model model;
+    const glm::vec3 x(200, 0, 0), y(0, 200, 0), z(0, 0, thickness), low(-100, -100, -thickness);
+    addSheet(model, low + z, x, y, 1);  // the first four vertices look to +Z
+    addSheet(model, low, y, x, 1);
+    addSheet(model, low, x, z, 1);
+    addSheet(model, low + y, z, x, 1);
+    addSheet(model, low, z, y, 1);
+    addSheet(model, low + x, y, z, 1);
+    MeshBakeOptions options;
+    options.millimetresPerUnit = 1.0F;
+    const auto made = bakeMesh(finished(std::move(model)), options);
+    ASSERT_TRUE(made.has_value()) << made.error().message;
+    for (std::size_t v = 0; v < 8; ++v) EXPECT_NEAR((*made)->vertices[v].thicknessMm, thickness, 0.02F * thickness) << v;
+  }
+}
+
 TEST(MeshBake, ThicknessFollowsTheUnit) {
   Model model = slab(4.0F);
   for (glm::vec3& p : model.positions) p *= 0.001F;

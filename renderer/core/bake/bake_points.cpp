@@ -36,6 +36,24 @@ void connect(BakePoints& points, const std::vector<glm::uvec2>& edges) {
   for (const glm::uvec2& e : edges) points.neighbours[next[e.x]++] = e.y;
 }
 
+/// Points on a hard edge look from a little beside it: a ray inwards from the edge itself runs along the next face, and a
+/// slab of eight vertices would have no thickness.
+void leaveHardEdges(BakePoints& points) {
+  std::unordered_map<Key, int, KeyHash> pointsAt;
+  for (const glm::vec3& position : points.positions) ++pointsAt[keyOf(position, glm::vec3(0.0F))];
+  std::vector<glm::vec3> moved = points.positions;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const std::uint32_t begin = points.firstNeighbour[i], end = points.firstNeighbour[i + 1];
+    if (begin == end || pointsAt[keyOf(points.positions[i], glm::vec3(0.0F))] < 2) continue;
+    glm::vec3 mean(0.0F);
+    for (std::uint32_t k = begin; k < end; ++k) mean += points.positions[points.neighbours[k]];
+    const glm::vec3 towards = mean / static_cast<float>(end - begin) - points.positions[i];
+    constexpr float kShare = 0.1F;
+    moved[i] += kShare * (towards - points.normals[i] * glm::dot(towards, points.normals[i]));
+  }
+  points.positions = std::move(moved);
+}
+
 }  // namespace
 
 BakePoints bakePoints(const Model& model, const std::vector<bool>& castingSlots) {
@@ -67,6 +85,7 @@ BakePoints bakePoints(const Model& model, const std::vector<bool>& castingSlots)
       }
   }
   connect(points, edges);
+  leaveHardEdges(points);
   return points;
 }
 

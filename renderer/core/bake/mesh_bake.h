@@ -48,7 +48,7 @@ struct MeshBakeOptions {
 };
 
 /// Changes whenever the same model would give other numbers; part of the cache's key.
-inline constexpr std::uint32_t kMeshBakeVersion = 1;
+inline constexpr std::uint32_t kMeshBakeVersion = 2;
 
 /// Reads the cache or bakes (and writes the cache). The same model gives the same bytes, however many cores there are.
 /// Errors: Cancelled; Runtime (Embree).

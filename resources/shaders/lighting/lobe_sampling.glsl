@@ -12,25 +12,21 @@
 #include "frame_block.glsl"
 #include "lighting/environment.glsl"
 
-// Number of directions of this sample: none while moving, nor for pictures of a few samples, which would stay noisy.
-// Software GL draws moving pictures deferred, and would run through all of it to add nothing.
+// Number of directions of this sample: none while moving, nor for pictures of a few samples, which would stay noisy. A still picture
+// begins without, so that it doesn't flicker when a drag ends; the later samples make up for that. Software GL draws moving pictures
+// deferred, and would run through all of it to add nothing.
+const int kSmoothSamples = 8;
 #ifdef DERMIS_DEFERRED
 int lobeSamples() { return 0; }
 #else
-int lobeSamples() { return u_sampling.w >= 8 ? 1 : 0; }
+int lobeSamples() { return u_sampling.w >= 32 && u_sampling.x >= kSmoothSamples ? 1 : 0; }
 #endif
+float lobeShare() { return float(u_sampling.w) / float(max(u_sampling.w - kSmoothSamples, 1)); }
 
-// Evenly spread over pixels and samples: interleaved gradient noise (Jimenez 2014, "Next Generation Post Processing in Call of Duty:
-// Advanced Warfare") shifts the sample's own numbers (Cranley & Patterson 1976).
-vec2 lobeRandom(vec2 numbers) {
-#ifdef DERMIS_COMPUTE
-  vec2 pixel = vec2(gl_GlobalInvocationID.xy);  // tests ask the models from outside any picture
-#else
-  vec2 pixel = gl_FragCoord.xy;
-#endif
-  vec2 shift = vec2(fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))),
-                    fract(52.9829189 * fract(dot(pixel.yx + 47.0, vec2(0.06711056, 0.00583715)))));
-  return fract(numbers + shift);
+// Evenly spread over the samples: the R2 sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"). The same for
+// all pixels, because directions as wide as these overlap: what error is left varies as smoothly as the lobe, and there is no grain.
+vec2 lobeRandom(vec2 shift) {
+  return fract(shift + float(u_sampling.x - kSmoothSamples) * vec2(0.7548776662466927, 0.5698402909980532));
 }
 
 // A microfacet normal that is visible from v; both in the frame whose z is the normal: Dupuy & Benyoub 2023, "Sampling Visible GGX
@@ -50,13 +46,15 @@ vec3 lobeCorrection(vec3 normal, vec3 view, float n_dot_v, float perceptual_roug
                     vec3 mean, vec2 u) {
   float alpha = perceptual_roughness * perceptual_roughness;
   float alpha2 = alpha * alpha;
-  // A frame in which the view is (sinθ, 0, cosθ).
-  vec3 across = view - normal * dot(normal, view);
-  float length2 = dot(across, across);
-  vec3 other = abs(normal.z) < 0.9 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
-  vec3 x = length2 > 1e-8 ? across * inversesqrt(length2) : normalize(cross(other, normal));
-  vec3 y = cross(normal, x);
-  vec3 v = vec3(sqrt(max(1.0 - n_dot_v * n_dot_v, 0.0)), 0.0, n_dot_v);
+  // Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3: turns only where the surface faces −Z.
+  float side = normal.z >= 0.0 ? 1.0 : -1.0;
+  float a = -1.0 / (side + normal.z);
+  float b = normal.x * normal.y * a;
+  vec3 x = vec3(1.0 + side * normal.x * normal.x * a, side * b, -side * normal.x);
+  vec3 y = vec3(b, side + normal.y * normal.y * a, -normal.y);
+  // Interpolated normals turn away from the viewer at silhouettes: there the view keeps its n·v.
+  vec2 across = vec2(dot(view, x), dot(view, y));
+  vec3 v = vec3(across * (sqrt(max(1.0 - n_dot_v * n_dot_v, 0.0)) / max(length(across), 1e-6)), n_dot_v);
 
   vec3 h = visibleNormal(v, alpha, u);
   float v_dot_h = max(dot(v, h), 1e-6);
@@ -77,7 +75,7 @@ vec3 lobeCorrection(vec3 normal, vec3 view, float n_dot_v, float perceptual_roug
   float filter_alpha2 = 1.0 / (4.0 * kPi * kDirections * max(density, 1e-6));
   float filter_roughness = min(sqrt(sqrt(filter_alpha2)), perceptual_roughness);
   vec3 world = x * l.x + y * l.y + normal * l.z;
-  return weight * (environmentPrefiltered(world, filter_roughness) - mean);
+  return lobeShare() * weight * (environmentPrefiltered(world, filter_roughness) - mean);
 }
 
 #endif

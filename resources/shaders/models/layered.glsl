@@ -153,13 +153,13 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position, vec3 vertex_norm
 }
 
 // Split sum (Karis 2013), one prefiltered look-up; corrected by sampling where the picture is an average (lobe_sampling.glsl).
-vec3 lobeImage(Lobe lobe, LobePoint point, LayerPoint p, vec3 reflected, float ao, vec2 random) {
+vec3 lobeImage(Lobe lobe, LobePoint point, LayerPoint p, vec3 reflected, float ao, vec2 shift) {
   float alpha = lobe.perceptual_roughness * lobe.perceptual_roughness;
   vec3 mean = environmentPrefiltered(reflected, lobe.perceptual_roughness);
   vec3 sum = point.reflectance * mean;
   for (int i = 0; i < lobeSamples(); ++i)
     sum += lobeCorrection(p.normal, p.view, p.n_dot_v, lobe.perceptual_roughness, point.at_normal, point.at_grazing, point.root_v,
-                          mean, lobeRandom(random));
+                          mean, lobeRandom(shift));
   return specularOcclusion(p.n_dot_v, ao, alpha) * sum;
 }
 
@@ -176,9 +176,9 @@ vec3 multiBounce(vec3 visibility, vec3 albedo) {
 // reflections as far as they come from where it says that something is in the way.
 LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, vec3 share, float ao) {
   vec3 r = reflect(-p.view, p.normal);
-  vec3 specular = lobeImage(layer.first, p.first, p, r, ao, u_random.xy);
+  vec3 specular = lobeImage(layer.first, p.first, p, r, ao, vec2(0.5));
 #if DERMIS_LOBES == 2
-  specular += lobeImage(layer.second, p.second, p, r, ao, u_random.zw);
+  specular += lobeImage(layer.second, p.second, p, r, ao, vec2(0.0, 0.25));
 #endif
   return LayerLight(environmentIrradiance(p.normal) * share, specular * horizonOcclusion(r, vertex_normal));
 }
