@@ -76,10 +76,15 @@ def read_csv(path):
 
 
 def write_obj(path, vertices, faces):
-    """A mesh of quads or triangles, indices from 1, as OBJ."""
+    """A mesh of flat faces, indices from 1, as OBJ with their normals: without any a box would be shaded as if it were round."""
+    points = numpy.array(vertices, float)
     with open(path, "w") as file:
         for vertex in vertices:
             file.write("v %.9g %.9g %.9g\n" % tuple(vertex))
         for face in faces:
-            file.write("f " + " ".join(str(i) for i in face) + "\n")
+            a, b, c = (points[i - 1] for i in face[:3])
+            normal = numpy.cross(b - a, c - a)
+            file.write("vn %.9g %.9g %.9g\n" % tuple(normal / numpy.linalg.norm(normal)))
+        for number, face in enumerate(faces, 1):
+            file.write("f " + " ".join("%d//%d" % (i, number) for i in face) + "\n")
     return path
