@@ -52,12 +52,13 @@ def edges(arguments):
     for name, (look, curves, divide) in cases.items():
         x_reference = (walk if divide else gaussians)["x_mm"]
         figure, axes = plot.subplots(2, 1, figsize=(8, 7), sharex=True, height_ratios=(3, 1))
-        for pixels, tilt in ((200, 0), (400, 0), (800, 0), (400, 45)):
+        for pixels, tilt in ((100, 0), (200, 0), (400, 0), (200, 45)):
             view_mm = 20.0
             output = os.path.join(arguments.out, "edge-%s-%d-%d.exr" % (name.split()[0], pixels, tilt))
-            layers = render(arguments.dermis, edge_scene(arguments.out, look, view_mm * (32 / pixels), tilt), output, (pixels, 32),
-                            256, ["diffuse_scattered"])
-            rows = layers["diffuse_scattered"][12:20, :, :3].mean(axis=0)
+            layers = render(arguments.dermis, edge_scene(arguments.out, look, view_mm * 0.8, tilt), output, (pixels, pixels * 4 // 5),
+                            64, ["diffuse_scattered"])
+            middle = pixels * 2 // 5
+            rows = layers["diffuse_scattered"][middle - 4:middle + 4, :, :3].mean(axis=0)
             x = (numpy.arange(pixels) + 0.5) / pixels * view_mm - view_mm / 2
             mine = rows / rows[x > 8].mean(axis=0)
             for c in range(3):
@@ -66,7 +67,7 @@ def edges(arguments):
                 difference = mine[:, c] - theirs
                 print("edge, %s, %d px over 20 mm, %d°, %s: RMSE %s, worst %s" %
                       (name, pixels, tilt, "RGB"[c], percent(numpy.sqrt((difference**2).mean())), percent(abs(difference).max())))
-                if pixels == 800:
+                if pixels == 400:
                     axes[0].plot(x, mine[:, c], color=COLOURS[c], lw=1.5, label="ours, %s" % "RGB"[c])
                     axes[0].plot(x, theirs, color="black", lw=0.8, ls="--", label="reference" if c == 2 else None)
                     axes[1].plot(x, 100 * difference, color=COLOURS[c], lw=1)
