@@ -80,11 +80,11 @@ void MeshBakes::want(const ResolvedScene& scene, const std::filesystem::path& ca
   options.castingSlots = key.casting;
   options.cacheFolder = cacheFolder;
   jobs.addLast(kJob, std::make_unique<MeshBakeJob>(scene.model, std::move(options),
-                                               [this, key = std::move(key)](std::shared_ptr<const MeshBake> bake) {
-                                                 m_bake = std::move(bake);
-                                                 m_bakedOf = key;
-                                                 ++m_revision;
-                                               }));
+                                                   [this, key = std::move(key)](std::shared_ptr<const MeshBake> bake) {
+                                                     m_bake = std::move(bake);
+                                                     m_bakedOf = key;
+                                                     ++m_revision;
+                                                   }));
 }
 
 std::shared_ptr<const MeshBake> MeshBakes::of(const ResolvedScene& scene) const {

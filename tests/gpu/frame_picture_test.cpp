@@ -203,8 +203,8 @@ TEST_F(FramePicture, AovsAddUpAndMeanWhatTheySay) {
   EXPECT_EQ(normal.channels, 3);
   EXPECT_EQ(depth.channels, 1);
   for (const int x : {8, 24, 30, 40}) {
-    const glm::vec3 sum = glm::vec3(pixel(scattered, x, 24)) + glm::vec3(pixel(specular, x, 24)) +
-                          glm::vec3(pixel(transmission, x, 24));
+    const glm::vec3 sum =
+        glm::vec3(pixel(scattered, x, 24)) + glm::vec3(pixel(specular, x, 24)) + glm::vec3(pixel(transmission, x, 24));
     EXPECT_THAT(pixel(beauty, x, 24), IsColour(sum, 1e-4F));
   }
   EXPECT_THAT(pixel(normal, 24, 24), IsColour(glm::vec3(0.0F, 0.0F, 1.0F), 0.06F));

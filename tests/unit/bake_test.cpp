@@ -172,7 +172,8 @@ TEST(MeshBake, BoxOfFewVerticesHasItsThickness) {
     options.millimetresPerUnit = 1.0F;
     const auto made = bakeMesh(finished(std::move(model)), options);
     ASSERT_TRUE(made.has_value()) << made.error().message;
-    for (std::size_t v = 0; v < 8; ++v) EXPECT_NEAR((*made)->vertices[v].thicknessMm, thickness, 0.02F * thickness) << v;
+    for (std::size_t v = 0; v < 8; ++v)
+      EXPECT_NEAR((*made)->vertices[v].thicknessMm, thickness, 0.02F * thickness) << v;
   }
 }
 

@@ -36,7 +36,7 @@ def edge_scene(folder, look, size_mm, tilt_degrees=0):
     blocker = write_obj(os.path.join(folder, "blocker.obj"), [(-400, -400, 50), (-50, -400, 50), (-50, 400, 50), (-400, 400, 50)],
                         [(1, 2, 3, 4)])
     tilt = numpy.radians(tilt_degrees)
-    camera = {"position": [0, -100 * numpy.sin(tilt), 100 * numpy.cos(tilt)], "target": [0, 0, 0], "up": [0, 1, 0],
+    camera = {"position": [100 * numpy.sin(tilt), 0, 100 * numpy.cos(tilt)], "target": [0, 0, 0], "up": [0, 1, 0],
               "orthographic_height": size_mm}
     return {"model": {"parts": [{"path": plane}, {"path": blocker}], "millimetres_per_unit": 1},
             "materials": {"*": material(dict(NO_LAYER, **look))}, "environment": DARK, "camera": camera,
@@ -59,7 +59,9 @@ def edges(arguments):
                             64, ["diffuse_scattered"])
             middle = pixels * 2 // 5
             rows = layers["diffuse_scattered"][middle - 4:middle + 4, :, :3].mean(axis=0)
-            x = (numpy.arange(pixels) + 0.5) / pixels * view_mm - view_mm / 2
+            # On the surface: a tilted view shows more of it in a pixel.
+            x = ((numpy.arange(pixels) + 0.5) / pixels - 0.5) * view_mm / numpy.cos(numpy.radians(tilt))
+            rows, x = rows[abs(x) < 10], x[abs(x) < 10]
             mine = rows / rows[x > 8].mean(axis=0)
             for c in range(3):
                 theirs = numpy.interp(x, x_reference, curves[c])

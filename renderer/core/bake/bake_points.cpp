@@ -36,8 +36,8 @@ void connect(BakePoints& points, const std::vector<glm::uvec2>& edges) {
   for (const glm::uvec2& e : edges) points.neighbours[next[e.x]++] = e.y;
 }
 
-/// Points on a hard edge look from a little beside it: a ray inwards from the edge itself runs along the next face, and a
-/// slab of eight vertices would have no thickness.
+/// Points on a hard edge look from a little beside it: a ray inwards from the edge itself runs along the next face, and
+/// a slab of eight vertices would have no thickness.
 void leaveHardEdges(BakePoints& points) {
   std::unordered_map<Key, int, KeyHash> pointsAt;
   for (const glm::vec3& position : points.positions) ++pointsAt[keyOf(position, glm::vec3(0.0F))];

@@ -37,7 +37,7 @@ struct ResolvedScene {
   std::shared_ptr<const EnvironmentImages> environment;  ///< never null
   /// What was baked of the model. Null: the renderer bakes it where RendererOptions::bakeMeshes says so.
   std::shared_ptr<const MeshBake> bake;
-  Camera camera;                                         ///< the scene's, or one that frames the bounds
+  Camera camera;  ///< the scene's, or one that frames the bounds
 };
 
 }  // namespace dermis
