@@ -26,6 +26,7 @@ struct ProgramSources {
   std::map<std::string, std::string> generated;
   /// Between vertex and fragment: both or neither.
   std::string tessControl = {}, tessEvaluation = {};
+  // clang-tidy 14 takes the 0 that <=> is compared with for a pointer. NOLINTNEXTLINE(modernize-use-nullptr)
   auto operator<=>(const ProgramSources&) const = default;
 };
 

@@ -31,7 +31,7 @@ class TemporaryFolder {
 
   /// Writes a file and returns its path; folders on the way are made.
   std::filesystem::path write(std::string_view name, std::string_view text) const {
-    const std::filesystem::path file = m_path / name;
+    std::filesystem::path file = m_path / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
     return file;
