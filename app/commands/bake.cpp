@@ -9,6 +9,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/headless.h"
 #include "core/base/file_io.h"
+#include "core/base/file_reference.h"
 #include "core/base/json_text.h"
 #include "core/base/number_format.h"
 #include "core/io/asset_loader.h"
@@ -18,9 +19,6 @@ namespace dermis::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 1> kTableExtensions = {".exr"};
-constexpr std::string_view kBuiltin = "builtin:";
 
 struct EnvironmentOptions {
   std::string environment, folder;
@@ -85,8 +83,8 @@ Outcome<int> bakeEnvironment(const EnvironmentOptions& options) {
   if (!roughness) return tl::unexpected(roughness.error());
   EnvironmentSource source;
   source.builtin.clear();
-  if (options.environment.starts_with(kBuiltin))
-    source.builtin = options.environment.substr(kBuiltin.size());
+  if (const auto name = builtinName(options.environment))
+    source.builtin = *name;
   else
     source.path = options.environment;
   Warnings warnings;
@@ -125,7 +123,7 @@ struct DfgOptions {
 };
 
 Outcome<int> bakeDfg(const DfgOptions& options) {
-  if (const auto fine = checkOutputFile(options.output, kTableExtensions); !fine) return tl::unexpected(fine.error());
+  if (const auto fine = checkOutputFile(options.output, kExrOnly); !fine) return tl::unexpected(fine.error());
   const auto headless = HeadlessRenderer::create();
   if (!headless) return tl::unexpected(headless.error());
   const auto table =

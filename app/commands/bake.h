@@ -2,12 +2,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
+#include <string_view>
 
 #include "app/commands/support.h"
 #include "core/image/image.h"
 
 namespace dermis::cli {
+
+/// What tables and maps are written as.
+inline constexpr std::array<std::string_view, 1> kExrOnly = {".exr"};
 
 /// Writes floats as they are, channels named R, G, B, A.
 [[nodiscard]] Outcome<void> writeExr(const std::filesystem::path& path, const Image& image);

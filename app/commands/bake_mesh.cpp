@@ -6,6 +6,7 @@
 
 #include "app/commands/bake.h"
 #include "core/bake/texel_bake.h"
+#include "core/base/file_reference.h"
 #include "core/io/asset_loader.h"
 #include "core/io/importer.h"
 
@@ -13,9 +14,6 @@ namespace dermis::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 1> kMapExtensions = {".exr"};
-constexpr std::string_view kBuiltin = "builtin:";
 
 struct MeshOptions {
   BakedMap map = BakedMap::Thickness;
@@ -25,11 +23,11 @@ struct MeshOptions {
 };
 
 Outcome<int> bakeMesh(const MeshOptions& options) {
-  if (const auto fine = checkOutputFile(options.output, kMapExtensions); !fine) return tl::unexpected(fine.error());
+  if (const auto fine = checkOutputFile(options.output, kExrOnly); !fine) return tl::unexpected(fine.error());
   ModelSource source;
   source.builtin.clear();
-  if (options.model.starts_with(kBuiltin))
-    source.builtin = options.model.substr(kBuiltin.size());
+  if (const auto name = builtinName(options.model))
+    source.builtin = *name;
   else
     source.path = options.model;
   Warnings warnings;

@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kBuiltin = "builtin:";
 constexpr std::string_view kConstant = "constant:";
 
 std::string absolute(const std::string& path) { return absoluteReference(path, fs::current_path()); }
@@ -39,12 +38,13 @@ std::string names(const Rows& rows) {
 
 Outcome<void> setModel(const std::string& text, Scene& scene) {
   scene.model = ModelSource{};
-  if (!text.starts_with(kBuiltin)) {
+  const auto name = builtinName(text);
+  if (!name) {
     scene.model.path = absolute(text);
     scene.model.builtin.clear();
     return {};
   }
-  scene.model.builtin = text.substr(kBuiltin.size());
+  scene.model.builtin = *name;
   const auto known = builtinModels();
   if (std::find(known.begin(), known.end(), scene.model.builtin) == known.end())
     return wrongUsage(
@@ -65,8 +65,8 @@ Outcome<void> setEnvironment(const std::string& text, EnvironmentSource& environ
       return wrongUsage(fmt::format("--environment: \"{}\" is not constant:r,g,b with three numbers", text));
     const auto at = [&](std::size_t i) { return numbers->at(numbers->size() == 1 ? 0 : i); };
     next.constant = glm::vec3(at(0), at(1), at(2));
-  } else if (text.starts_with(kBuiltin)) {
-    next.builtin = text.substr(kBuiltin.size());
+  } else if (const auto name = builtinName(text)) {
+    next.builtin = *name;
     const auto rows = builtinEnvironments();
     if (std::none_of(rows.begin(), rows.end(), [&](const auto& row) { return row.id == next.builtin; }))
       return wrongUsage(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/file_reference.h"
 #include "core/builtin/default_look.h"
 #include "core/material/preset_io.h"
 #include "core/scene/scene_io.h"
@@ -153,7 +154,7 @@ void Loading::openModel(const ModelSource& source) {
 
 void Loading::applyPreset(const std::string& preset, const QString& slot) {
   if (m_document.slotLook(slot) == nullptr) return;
-  const std::string path = preset.starts_with("builtin:") ? preset : std::filesystem::absolute(preset).string();
+  const std::string path = builtinName(preset) ? preset : std::filesystem::absolute(preset).string();
   run(
       QStringLiteral("preset/") + slot, tr("Loading preset"),
       [path](const ResolveOptions& options, Warnings& warnings) -> Result<ResolvedMaterial> {
@@ -163,7 +164,7 @@ void Loading::applyPreset(const std::string& preset, const QString& slot) {
       },
       [this, slot, path](ResolvedMaterial&& material) {
         m_document.applyMaterial(slot, material, path);
-        if (!path.starts_with("builtin:")) Q_EMIT fileUsed(QString::fromStdString(path));
+        if (!builtinName(path)) Q_EMIT fileUsed(QString::fromStdString(path));
         Q_EMIT finished();
       });
 }

@@ -7,12 +7,21 @@ namespace dermis {
 namespace fs = std::filesystem;
 
 namespace {
+constexpr std::string_view kBuiltin = "builtin:";
 constexpr std::string_view kEmbedded = "embedded:";
-}
+}  // namespace
 
 bool namesNoFile(std::string_view reference) {
-  return reference.starts_with("builtin:") || reference.starts_with(kEmbedded);
+  return reference.starts_with(kBuiltin) || reference.starts_with(kEmbedded);
 }
+
+std::optional<std::string_view> builtinName(std::string_view reference) {
+  if (!reference.starts_with(kBuiltin)) return std::nullopt;
+  reference.remove_prefix(kBuiltin.size());
+  return reference;
+}
+
+std::string builtinReference(std::string_view name) { return std::string(kBuiltin) + std::string(name); }
 
 std::optional<std::size_t> embeddedIndex(std::string_view reference) {
   if (!reference.starts_with(kEmbedded)) return std::nullopt;

@@ -12,6 +12,10 @@ namespace dermis {
 /// "builtin:NAME" and "embedded:N" name no file; they are kept as written everywhere.
 [[nodiscard]] bool namesNoFile(std::string_view reference);
 
+/// NAME of "builtin:NAME", content that the program carries; nothing for any other reference.
+[[nodiscard]] std::optional<std::string_view> builtinName(std::string_view reference);
+[[nodiscard]] std::string builtinReference(std::string_view name);
+
 /// N of "embedded:N", an image inside the model's own file; nothing for any other reference.
 [[nodiscard]] std::optional<std::size_t> embeddedIndex(std::string_view reference);
 [[nodiscard]] std::string embeddedReference(std::size_t index);

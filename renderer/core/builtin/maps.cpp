@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/file_reference.h"
+
 namespace dermis {
 
 namespace {
@@ -87,10 +89,8 @@ std::shared_ptr<const Image> freckles() {
 }  // namespace
 
 std::optional<std::string_view> builtinMapId(std::string_view reference) {
-  constexpr std::string_view kBuiltin = "builtin:";
-  if (!reference.starts_with(kBuiltin)) return std::nullopt;
-  reference.remove_prefix(kBuiltin.size());
-  return reference == kFreckles ? std::optional(reference) : std::nullopt;
+  const auto name = builtinName(reference);
+  return name == kFreckles ? name : std::nullopt;
 }
 
 std::shared_ptr<const Image> builtinMap(std::string_view id) { return id == kFreckles ? freckles() : nullptr; }

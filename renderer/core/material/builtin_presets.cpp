@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/file_reference.h"
 #include "core/base/resources.h"
 #include "core/material/preset_io.h"
 
@@ -42,7 +43,7 @@ const std::vector<BuiltinPreset>& builtinPresets() {
 }
 
 Result<Material> loadBuiltinPreset(std::string_view id, Warnings& warnings) {
-  const std::string name = "builtin:" + std::string(id);
+  const std::string name = builtinReference(id);
   const std::string_view text = resource(std::string(kFolder) + std::string(id) + std::string(kEnding));
   if (text.empty()) return inputError(name + " is not a preset that this program carries");
   return readPreset(text, name, {}, warnings);

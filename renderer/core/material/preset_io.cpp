@@ -240,8 +240,7 @@ Result<Material> readPreset(std::string_view text, const std::string& name, cons
 }
 
 Result<Material> loadPreset(const fs::path& path, Warnings& warnings) {
-  constexpr std::string_view kBuiltin = "builtin:";
-  if (path.native().starts_with(kBuiltin)) return loadBuiltinPreset(path.native().substr(kBuiltin.size()), warnings);
+  if (const auto name = builtinName(path.native())) return loadBuiltinPreset(*name, warnings);
   const auto text = readFile(path, kMaxJsonBytes);
   if (!text) return tl::unexpected(text.error());
   return readPreset(*text, path.string(), fs::absolute(path).parent_path(), warnings);
