@@ -49,6 +49,16 @@ void drawPart(const FrameContext& frame, std::size_t index) {
   }
 }
 
+/// What hides is near, nothing blends; the model's triangles are bound.
+void beginOpaque(const FrameContext& frame) {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glCullFace(GL_BACK);
+  frame.resources.geometry().bind();
+}
+
 }  // namespace
 
 bool isSplit(const ResolvedScene& scene) {
@@ -78,12 +88,7 @@ gl::ProgramSources surfaceProgram(ShadingModel model, SurfaceOutputs outputs, st
 }
 
 void surfacePass(const FrameContext& frame) {
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glCullFace(GL_BACK);
-  frame.resources.geometry().bind();
+  beginOpaque(frame);
   const auto& parts = frame.scene.model->parts;
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (frame.resources.slots()[parts[i].slot].kind == DrawKind::Opaque) drawPart(frame, i);
@@ -125,12 +130,7 @@ void surfacePassDeferred(const FrameContext& frame) {
   const std::array<GLfloat, 4> nothing = {0.0F, 0.0F, 0.0F, 0.0F};
   glClearNamedFramebufferfv(frame.targets.surfaces().id(), GL_COLOR, 1, nothing.data());
   frame.targets.surfaces().bind();
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_GREATER);
-  glDepthMask(GL_TRUE);
-  glDisable(GL_BLEND);
-  glCullFace(GL_BACK);
-  frame.resources.geometry().bind();
+  beginOpaque(frame);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const SlotResources& slot = slots[parts[i].slot];
     if (slot.kind != DrawKind::Opaque) continue;
