@@ -64,7 +64,7 @@ inside() {
   local -a network=()
   local name
   for name in http_proxy https_proxy no_proxy; do [[ -n ${!name:-} ]] && network+=("$name=${!name}"); done
-  chroot "$target" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 CI=true "${network[@]}" bash -c "$1"
+  chroot "$target" /usr/bin/env -i HOME=/var/dermis PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 CI=true "${network[@]}" bash -c "$1"
 }
 
 bare_system() {
@@ -87,14 +87,14 @@ bare_system() {
 
 step "minimal Debian 12" bare_system || exit 1
 step "git and ca-certificates" inside 'apt-get -q update && DEBIAN_FRONTEND=noninteractive apt-get -q -y install --no-install-recommends git ca-certificates' || exit 1
-git clone -q --no-hardlinks "$repository" "$target/root/dermis" || exit 1
+git clone -q --no-hardlinks "$repository" "$target/var/dermis/dermis" || exit 1
 
-step "./run --version, nothing installed" inside 'cd /root/dermis && ./run --version >/root/version.txt && cat /root/version.txt && [ "$(wc -l </root/version.txt)" = 1 ]'
-step "./run --version again: silent and quick" inside 'cd /root/dermis && time ./run --version >/root/again.txt 2>/root/again.err && cmp /root/version.txt /root/again.txt && cat /root/again.err && [ ! -s /root/again.err ]'
-step "./run with no display" inside 'mkdir -p /root/elsewhere && cd /root/elsewhere && ../dermis/run && [ -s first-look.png ]'
-[[ -z $keep ]] || cp "$target/root/elsewhere/first-look.png" "$target/" 2>/dev/null
-step "./test" inside 'cd /root/dermis && ./test'
-step "nothing left in the clone" inside 'cd /root/dermis && git status --porcelain && [ -z "$(git status --porcelain)" ]'
+step "./run --version, nothing installed" inside 'cd /var/dermis/dermis && ./run --version >/var/dermis/version.txt && cat /var/dermis/version.txt && [ "$(wc -l </var/dermis/version.txt)" = 1 ]'
+step "./run --version again: silent and quick" inside 'cd /var/dermis/dermis && time ./run --version >/var/dermis/again.txt 2>/var/dermis/again.err && cmp /var/dermis/version.txt /var/dermis/again.txt && cat /var/dermis/again.err && [ ! -s /var/dermis/again.err ]'
+step "./run with no display" inside 'mkdir -p /var/dermis/elsewhere && cd /var/dermis/elsewhere && ../dermis/run && [ -s first-look.png ]'
+[[ -z $keep ]] || cp "$target/var/dermis/elsewhere/first-look.png" "$target/" 2>/dev/null
+step "./test" inside 'cd /var/dermis/dermis && ./test'
+step "nothing left in the clone" inside 'cd /var/dermis/dermis && git status --porcelain && [ -z "$(git status --porcelain)" ]'
 
 printf '\n%s' "$times"
 exit "$failed"
