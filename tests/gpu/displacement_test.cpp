@@ -14,15 +14,20 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// −1..1 in x and y at z = 0 like makePlane(), of n × n squares.
-Model grid(int n) {
-  Model model = makePlane();
-  const Model plane = model;
+/// A model like `model`, of no vertices and triangles yet.
+Model emptied(Model model) {
   model.positions.clear();
   model.normals.clear();
   model.tangents.clear();
   model.uvs.clear();
   model.indices.clear();
+  return model;
+}
+
+/// −1..1 in x and y at z = 0 like makePlane(), of n × n squares.
+Model grid(int n) {
+  const Model plane = makePlane();
+  Model model = emptied(plane);
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) {
       const glm::vec2 uv = glm::vec2(i, j) / static_cast<float>(n);
@@ -43,13 +48,8 @@ Model grid(int n) {
 
 /// A cube of half extent ½ with hard edges, turned towards the camera by a corner; every face has all of the map.
 Model cube() {
-  Model model = makePlane();
-  const Model face = model;
-  model.positions.clear();
-  model.normals.clear();
-  model.tangents.clear();
-  model.uvs.clear();
-  model.indices.clear();
+  const Model face = makePlane();
+  Model model = emptied(face);
   model.bounds = {};
   const glm::vec3 corner = glm::normalize(glm::vec3(1.0F, 1.2F, 1.5F));
   const glm::vec3 right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), corner));

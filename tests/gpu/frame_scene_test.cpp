@@ -111,18 +111,8 @@ TEST_F(FrameScene, EveryModelOnEveryBackgroundDrawsSomething) {
 TEST_F(FrameScene, MovingFramesAreSmoothOnBothKindsOfDriver) {
   const ResolvedScene scene = sceneOf(makeSphere(64), emissive(glm::vec3(1.0F)), glm::vec3(0.0F));
   for (const bool software : {true, false}) {
-    RendererOptions options;
-    options.software = software;
-    makeRenderer(options);
-    show(scene);
-    const Window window(m_size);
-    FrameRequest frame = request(scene);
-    frame.exactDisplay = false;
-    frame.moving = true;
-    frame.framebuffer = window.framebuffer.id();
-    EXPECT_TRUE(m_renderer->renderFrame(frame));
+    const auto values = movingPicture(scene, software);
     int between = 0;
-    const auto values = window.read();
     for (std::size_t i = 0; i < values.size(); i += 4) between += values[i] > 20 && values[i] < 235 ? 1 : 0;
     EXPECT_GT(between, 30) << "grey pixels along the disc's edge, software " << software;
     EXPECT_EQ(values[4 * (24 * 48 + 24)], 255);

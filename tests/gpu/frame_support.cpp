@@ -166,4 +166,18 @@ Image FrameTest::still(const ResolvedScene& scene, int samples) {
   return m_renderer->readAov(Aov::Beauty);
 }
 
+std::vector<std::uint8_t> FrameTest::movingPicture(const ResolvedScene& scene, bool software) {
+  RendererOptions options;
+  options.software = software;
+  makeRenderer(options);
+  show(scene);
+  const Window window(m_size);
+  FrameRequest frame = request(scene);
+  frame.exactDisplay = false;
+  frame.moving = true;
+  frame.framebuffer = window.framebuffer.id();
+  EXPECT_TRUE(m_renderer->renderFrame(frame));
+  return window.read();
+}
+
 }  // namespace dermis::test

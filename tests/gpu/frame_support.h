@@ -55,6 +55,8 @@ class FrameTest : public GlTest {
   void show(const ResolvedScene& scene);
   /// All samples of a still picture; returns the beauty.
   Image still(const ResolvedScene& scene, int samples = 1);
+  /// What a window shows of a moving frame, RGBA, first row lowest; by a renderer of its own for that kind of driver.
+  std::vector<std::uint8_t> movingPicture(const ResolvedScene& scene, bool software);
   [[nodiscard]] FrameRequest request(const ResolvedScene& scene, int samples = 1) const;
 
   glm::ivec2 m_size{48, 48};

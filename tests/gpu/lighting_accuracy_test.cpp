@@ -1,10 +1,11 @@
 // The figures the renderer's light is judged by, read back through the functions that shade.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <iostream>
 #include <set>
+#include <utility>
 
 #include "core/io/importer.h"
 #include "gl_fixture.h"
@@ -30,6 +31,40 @@ class LightingAccuracy : public GlTest {
   gl::ShaderLibrary m_shaders;
 };
 
+/// The images in the folder that the environment variable DERMIS_TEST_HDRI names, where it does.
+std::vector<std::pair<std::string, std::shared_ptr<const EnvironmentImages>>> givenEnvironments() {
+  std::vector<std::pair<std::string, std::shared_ptr<const EnvironmentImages>>> environments;
+  const char* folder = std::getenv("DERMIS_TEST_HDRI");
+  if (folder == nullptr) return environments;
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const auto extension = entry.path().extension();
+    if (extension == ".hdr" || extension == ".exr") files.insert(entry.path());
+  }
+  const auto module = importer();
+  if (!module) {
+    ADD_FAILURE() << module.error().message;
+    return environments;
+  }
+  for (const auto& file : files) {
+    Warnings warnings;
+    ImageReadOptions options;
+    options.asFloat = true;
+    auto image = (*module)->loadImage(file, options, warnings);
+    if (!image) {
+      ADD_FAILURE() << image.error().message;
+      continue;
+    }
+    CleanedTexels ignored;
+    const RadianceImage clean = cleanRadiance(*image, ignored);
+    environments.emplace_back(
+        file.filename().string(),
+        latLongEnvironment(clean.width, clean.height, [&](int i, int j) { return clean.at(i, j); }));
+  }
+  return environments;
+}
+
+// Prints the table of docs/validation-lighting.md: relative RMS in percent.
 TEST_F(LightingAccuracy, LookupsAgreeWithTheSumsOverAllPixels) {
   struct Row {
     float roughness;
@@ -40,90 +75,32 @@ TEST_F(LightingAccuracy, LookupsAgreeWithTheSumsOverAllPixels) {
                                 Row{0.15F, 0.03}, Row{0.3F, 0.02},  Row{0.4F, 0.02}, Row{0.6F, 0.02}};
   std::vector<float> roughnesses;
   for (const Row& row : kRows) roughnesses.push_back(row.roughness);
-  for (const NamedEnvironment& environment : testEnvironments()) {
-    const auto map = bake(environment.images);
+  auto environments = givenEnvironments();
+  for (const NamedEnvironment& environment : testEnvironments())
+    environments.emplace_back(environment.name, environment.images);
+  fmt::print("| environment | irradiance | {} |\n", fmt::join(roughnesses, " | "));
+  for (const auto& [name, images] : environments) {
+    const auto map = bake(images);
     ASSERT_NE(map, nullptr);
     std::vector<ExactLight> exact;
-    for (const glm::vec3& d : cubeDirections26()) {
-      exact.push_back(exactLight(*environment.images->latLong, d, roughnesses));
-    }
+    for (const glm::vec3& d : cubeDirections26()) exact.push_back(exactLight(*images->latLong, d, roughnesses));
     std::vector<LightingQuery> queries;
     std::vector<glm::dvec3> want;
     for (const glm::vec3& d : cubeDirections26()) queries.push_back(LightingQuery::irradiance(d));
     for (const ExactLight& light : exact) want.push_back(light.irradiance);
-    EXPECT_LE(relativeRms(probe(*map, queries), want), 0.003) << environment.name << ", irradiance";
-
+    const double irradiance = relativeRms(probe(*map, queries), want);
+    EXPECT_LE(irradiance, 0.003) << name << ", irradiance";
+    fmt::print("| {} | {:.3f}", name, 100.0 * irradiance);
     for (std::size_t k = 0; k < kRows.size(); ++k) {
-      queries.clear();
-      want.clear();
-      for (const glm::vec3& d : cubeDirections26()) {
-        queries.push_back(LightingQuery::prefiltered(d, kRows[k].roughness));
-      }
-      for (const ExactLight& light : exact) want.push_back(light.prefiltered[k]);
-      EXPECT_LE(relativeRms(probe(*map, queries), want), kRows[k].tolerance)
-          << environment.name << ", roughness " << kRows[k].roughness;
-    }
-  }
-}
-
-// DERMIS_TEST_HDRI=FOLDER prints the table of docs/validation-lighting.md for the images in it.
-TEST_F(LightingAccuracy, TableOfRealEnvironments) {
-  const char* folder = std::getenv("DERMIS_TEST_HDRI");
-  if (folder == nullptr) GTEST_SKIP() << "DERMIS_TEST_HDRI names no folder of environments";
-  std::set<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const auto extension = entry.path().extension();
-    if (extension == ".hdr" || extension == ".exr") files.insert(entry.path());
-  }
-  std::vector<NamedEnvironment> environments;
-  std::vector<std::string> names;
-  const auto module = importer();
-  ASSERT_TRUE(module.has_value()) << module.error().message;
-  for (const auto& file : files) {
-    Warnings warnings;
-    ImageReadOptions options;
-    options.asFloat = true;
-    auto image = (*module)->loadImage(file, options, warnings);
-    ASSERT_TRUE(image.has_value()) << image.error().message;
-    CleanedTexels ignored;
-    const RadianceImage clean = cleanRadiance(*image, ignored);
-    names.push_back(file.filename().string());
-    environments.push_back(
-        {nullptr, latLongEnvironment(clean.width, clean.height, [&](int i, int j) { return clean.at(i, j); })});
-  }
-  for (const NamedEnvironment& environment : testEnvironments()) {
-    names.emplace_back(environment.name);
-    environments.push_back(environment);
-  }
-  const std::vector<float> roughnesses = {0.1F, 0.25F, 0.5F, 0.75F, 1.0F, 0.15F, 0.3F, 0.4F, 0.6F};
-  std::cout << "| environment | CPU s | irradiance";
-  for (const float r : roughnesses) std::cout << " | " << r;
-  std::cout << " |\n";
-  for (std::size_t e = 0; e < environments.size(); ++e) {
-    const std::clock_t start = std::clock();
-    const auto map = bake(environments[e].images);
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    std::vector<ExactLight> exact;
-    for (const glm::vec3& d : cubeDirections26()) {
-      exact.push_back(exactLight(*environments[e].images->latLong, d, roughnesses));
-    }
-    std::vector<LightingQuery> queries;
-    std::vector<glm::dvec3> want;
-    for (const glm::vec3& d : cubeDirections26()) queries.push_back(LightingQuery::irradiance(d));
-    for (const ExactLight& light : exact) want.push_back(light.irradiance);
-    const auto percent = [](double v) { return std::to_string(100.0 * v).substr(0, 5); };
-    std::cout << "| " << names[e] << " | " << std::to_string(seconds).substr(0, 4) << " | "
-              << percent(relativeRms(probe(*map, queries), want));
-    for (std::size_t k = 0; k < roughnesses.size(); ++k) {
       for (std::size_t i = 0; i < exact.size(); ++i) {
-        queries[i] = LightingQuery::prefiltered(cubeDirections26()[i], roughnesses[k]);
+        queries[i] = LightingQuery::prefiltered(cubeDirections26()[i], kRows[k].roughness);
         want[i] = exact[i].prefiltered[k];
       }
-      std::cout << " | " << percent(relativeRms(probe(*map, queries), want));
+      const double prefiltered = relativeRms(probe(*map, queries), want);
+      EXPECT_LE(prefiltered, kRows[k].tolerance) << name << ", roughness " << kRows[k].roughness;
+      fmt::print(" | {:.3f}", 100.0 * prefiltered);
     }
-    const EnvironmentFigures& f = map->figures();
-    std::cout << " |  <!-- ms: clean " << f.cleanMs << " sharp " << f.sharpMs << " sources " << f.sourcesMs
-              << " irradiance " << f.irradianceMs << " prefilter " << f.prefilterMs << " -->" << std::endl;
+    fmt::print(" |\n");
   }
 }
 

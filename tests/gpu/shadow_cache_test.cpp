@@ -112,20 +112,7 @@ TEST_F(ShadowCache, DeferredPicturesHaveTheSameShadows) {
   Model ball = makeSphere(64);
   appendModel(model, ball, {glm::vec3(0.3F), {}, {-0.9F, 0.4F, 1.0F}});
   ResolvedScene scene = litFromAbove(std::move(model), light, {0.0F, 0.0F}, 1.1F);
-  std::vector<std::vector<std::uint8_t>> pictures;
-  for (const bool software : {true, false}) {
-    RendererOptions options;
-    options.software = software;
-    makeRenderer(options);
-    show(scene);
-    const Window window(m_size);
-    FrameRequest frame = request(scene);
-    frame.moving = true;
-    frame.exactDisplay = false;
-    frame.framebuffer = window.framebuffer.id();
-    m_renderer->renderFrame(frame);
-    pictures.push_back(window.read());
-  }
+  const std::vector<std::vector<std::uint8_t>> pictures = {movingPicture(scene, true), movingPicture(scene, false)};
   ASSERT_EQ(pictures[0].size(), pictures[1].size());
   int different = 0, lit = 0, dark = 0;
   for (std::size_t i = 0; i < pictures[0].size(); i += 4) {

@@ -113,21 +113,21 @@ TEST(PresetIo, TexturePathsAreRelativeToThePresetWhereTheyCanBe) {
   const auto written = [](const std::string& path) {
     Material material;
     material.texture(TextureSlot::Albedo).path = path;
-    const Json json = parseJson(writePreset(material, "/home/me/presets"), "a.json").value();
+    const Json json = parseJson(writePreset(material, "/looks/presets"), "a.json").value();
     return json.at("textures").at("albedo").at("path").get<std::string>();
   };
-  EXPECT_EQ(written("/home/me/presets/maps/a.png"), "maps/a.png");
-  EXPECT_EQ(written("/home/me/maps/a.png"), "../maps/a.png");
+  EXPECT_EQ(written("/looks/presets/maps/a.png"), "maps/a.png");
+  EXPECT_EQ(written("/looks/maps/a.png"), "../maps/a.png");
   EXPECT_EQ(written("/mnt/a.png"), "/mnt/a.png");
   EXPECT_EQ(written("embedded:3"), "embedded:3");
 
   Warnings warnings;
   const auto albedo = [&](std::string_view path) {
     const std::string text = preset(R"("textures": {"albedo": {"path": ")" + std::string(path) + R"("}})");
-    return read(text, warnings, "/home/me/presets").texture(TextureSlot::Albedo).path;
+    return read(text, warnings, "/looks/presets").texture(TextureSlot::Albedo).path;
   };
-  EXPECT_EQ(albedo("maps/a.png"), "/home/me/presets/maps/a.png");
-  EXPECT_EQ(albedo("../maps/a.png"), "/home/me/maps/a.png");
+  EXPECT_EQ(albedo("maps/a.png"), "/looks/presets/maps/a.png");
+  EXPECT_EQ(albedo("../maps/a.png"), "/looks/maps/a.png");
   EXPECT_EQ(albedo("/mnt/a.png"), "/mnt/a.png");
   EXPECT_EQ(albedo("embedded:3"), "embedded:3");
 }
