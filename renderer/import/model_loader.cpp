@@ -101,13 +101,13 @@ Result<Model> loadModel(const fs::path& path, std::stop_token stop) try {
       .trustNormals = format != ".stl", .trustTangents = gltf, .correction = correction(**scene, format, *shared)};
   auto raw = flattenScene(**scene, traits, name, model.warnings, stop);
   if (!raw) return tl::unexpected(raw.error());
-  completeNormals(*raw);
+  const bool separated = completeNormals(*raw);
   if (stop.stop_requested()) return cancelledError();
   model.hasUvs = raw->anyUvs;
   std::vector<unsigned> materials;
   for (const RawMesh::Run& run : raw->runs) materials.push_back(run.material);
   // glTF comes indexed: its author's vertices are kept as they are.
-  const std::size_t dropped = weldInto(std::move(*raw), !gltf, model);
+  const std::size_t dropped = weldInto(std::move(*raw), !gltf || separated, model);
   if (model.indices.empty())
     return inputError(fmt::format("{}: none of the model's {} triangles has any area", name, dropped));
   if (dropped > 0) model.warnings.push_back(fmt::format("{}: {} triangles without area are left out", name, dropped));

@@ -123,11 +123,13 @@ std::string plyTetrahedron(bool binary) {
   return out;
 }
 
-std::string stlTetrahedron(bool binary) {
+namespace {
+
+std::string stlOf(const std::vector<glm::vec3>& positions, const std::vector<glm::ivec3>& faces, bool binary) {
   std::string out = binary ? std::string(80, ' ') : "solid t\n";
-  if (binary) append(out, static_cast<std::uint32_t>(kTetrahedronFaces.size()));
-  for (const glm::ivec3& f : kTetrahedronFaces) {
-    const auto corner = [&](int i) { return kTetrahedron[static_cast<std::size_t>(f[i])]; };
+  if (binary) append(out, static_cast<std::uint32_t>(faces.size()));
+  for (const glm::ivec3& f : faces) {
+    const auto corner = [&](int i) { return positions[static_cast<std::size_t>(f[i])]; };
     const glm::vec3 normal = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
     if (binary) {
       append(out, normal);
@@ -140,6 +142,15 @@ std::string stlTetrahedron(bool binary) {
     }
   }
   return binary ? out : out + "endsolid t\n";
+}
+
+}  // namespace
+
+std::string stlTetrahedron(bool binary) { return stlOf(kTetrahedron, kTetrahedronFaces, binary); }
+
+std::string stlOctahedron(bool binary) {
+  return stlOf({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+               {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}, binary);
 }
 
 std::string daeTriangle(double metresAUnit, const std::string& upAxis) {

@@ -43,6 +43,7 @@ const Importer& module();
 [[nodiscard]] std::string objSphere(int bands = 12, int sectors = 24);
 [[nodiscard]] std::string plyTetrahedron(bool binary);
 [[nodiscard]] std::string stlTetrahedron(bool binary);
+[[nodiscard]] std::string stlOctahedron(bool binary);
 [[nodiscard]] std::string daeTriangle(double metresAUnit, const std::string& upAxis);
 [[nodiscard]] std::string fbxTriangle(double centimetresAUnit, bool zUp);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "fixtures.h"
 
@@ -78,10 +79,40 @@ TEST(ObjModel, MissingNormalsAreSmoothAcrossGroupsMaterialsAndSeams) {
   // 12 bands of 24: one vertex a corner of the grid, the two rows of the poles one a triangle.
   EXPECT_EQ(sphere.positions.size(), 11U * 25U + 24U + 24U);
   EXPECT_EQ(sphere.indices.size() / 3, 24U * 22U);
+}
 
+TEST(ObjModel, MissingNormalsKeepSharpEdges) {
+  const Folder folder;
   const Model cube = load(folder.put("cube.obj", objCube()));
-  for (std::size_t i = 0; i < cube.positions.size(); ++i)
-    ASSERT_GT(glm::dot(glm::normalize(cube.positions[i]), cube.normals[i]), 0.999F) << "vertex " << i;
+  EXPECT_EQ(cube.positions.size(), 24U) << "four corners a face";
+  for (std::size_t i = 0; i < cube.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t c) { return cube.positions[cube.indices[i + c]]; };
+    const glm::vec3 face = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_GT(glm::dot(face, cube.normals[cube.indices[i + c]]), 0.9999F) << "triangle " << i / 3;
+  }
+
+  // A cylinder of 12 sides: round about its axis, flat at its ends.
+  std::string obj;
+  constexpr int kSides = 12;
+  for (const float z : {-1.0F, 1.0F})
+    for (int k = 0; k < kSides; ++k) {
+      const double phi = 2.0 * std::numbers::pi * k / kSides;
+      obj += fmt::format("v {} {} {}\n", std::cos(phi), std::sin(phi), z);
+    }
+  std::string lower = "f", upper = "f";
+  for (int k = 0; k < kSides; ++k) {
+    obj += fmt::format("f {} {} {} {}\n", k + 1, (k + 1) % kSides + 1, kSides + (k + 1) % kSides + 1, kSides + k + 1);
+    lower += fmt::format(" {}", kSides - k);
+    upper += fmt::format(" {}", kSides + k + 1);
+  }
+  const Model cylinder = load(folder.put("cylinder.obj", obj + lower + "\n" + upper + "\n"));
+  EXPECT_EQ(cylinder.positions.size(), 4U * kSides);
+  for (std::size_t i = 0; i < cylinder.positions.size(); ++i) {
+    const glm::vec3 p = cylinder.positions[i], n = cylinder.normals[i];
+    const float round = glm::dot(n, glm::vec3(p.x, p.y, 0.0F)), flat = n.z * p.z;
+    EXPECT_GT(std::max(round, flat), 0.999F) << "vertex " << i;
+  }
 }
 
 TEST(ObjModel, SurvivesANulAtItsEndAndMixedLineEnds) {
@@ -325,7 +356,7 @@ TEST(PlyModel, ReadsTextAndBinary) {
   const Folder folder;
   for (const bool binary : {false, true}) {
     const Model model = load(folder.put("t.ply", plyTetrahedron(binary)));
-    EXPECT_EQ(model.positions.size(), 4U);
+    EXPECT_EQ(model.positions.size(), 12U) << "its edges are sharp";
     EXPECT_EQ(model.indices.size(), 12U);
     EXPECT_FLOAT_EQ(model.millimetresPerUnit, 1000.0F);
   }
@@ -334,9 +365,9 @@ TEST(PlyModel, ReadsTextAndBinary) {
 TEST(StlModel, IsSmoothedBecauseItsNormalsAreTheFacets) {
   const Folder folder;
   for (const bool binary : {false, true}) {
-    const Model model = load(folder.put("t.stl", stlTetrahedron(binary)));
-    EXPECT_EQ(model.positions.size(), 4U);
-    EXPECT_EQ(model.indices.size(), 12U);
+    const Model model = load(folder.put("t.stl", stlOctahedron(binary)));
+    EXPECT_EQ(model.positions.size(), 6U);
+    EXPECT_EQ(model.indices.size(), 24U);
   }
 }
 
