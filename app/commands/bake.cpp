@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 struct EnvironmentOptions {
   std::string environment, folder;
   std::vector<std::string> roughness;  ///< as given: they name the files
-  bool cached = false;
+  bool cached = false, radiance = false;
 };
 
 Outcome<void> writeJson(const fs::path& path, const Json& json) {
@@ -91,6 +91,7 @@ Outcome<int> bakeEnvironment(const EnvironmentOptions& options) {
   auto images = resolveEnvironment(source, fs::current_path(), {}, warnings);
   printWarnings(warnings);
   if (!images) return failure(images.error());
+  if (options.radiance && !(*images)->latLong) return wrongUsage("--radiance: the environment is no lat-long picture");
   if (const auto made = makeFolder(options.folder); !made) return tl::unexpected(made.error());
 
   const auto headless = HeadlessRenderer::create();
@@ -102,6 +103,9 @@ Outcome<int> bakeEnvironment(const EnvironmentOptions& options) {
   if (!baked) return failure(baked.error());
 
   const fs::path folder = options.folder;
+  if (options.radiance)
+    if (const auto done = writeExr(folder / "radiance.exr", *(*images)->latLong); !done)
+      return tl::unexpected(done.error());
   if (const auto done = writeExr(folder / "irradiance.exr", baked->irradiance); !done)
     return tl::unexpected(done.error());
   for (std::size_t i = 0; i < baked->prefiltered.size(); ++i)
@@ -137,7 +141,8 @@ void addBakeEnvironment(CLI::App& bake, Action& action) {
   auto options = std::make_shared<EnvironmentOptions>();
   CLI::App* command =
       bake.add_subcommand("environment", "Irradiance, prefiltered radiance and spherical harmonics of an environment");
-  command->add_option("ENVIRONMENT", options->environment, "Lat-long image, or builtin:NAME")->required();
+  command->add_option("ENVIRONMENT", options->environment, "Lat-long image, light rig (.json), or builtin:NAME")
+      ->required();
   command->add_option("-o,--output", options->folder, "Folder to write to; made where its parent exists")
       ->type_name("FOLDER")
       ->required();
@@ -147,12 +152,15 @@ void addBakeEnvironment(CLI::App& bake, Action& action) {
       ->type_name("R")
       ->allow_extra_args(false);
   command->add_flag("--cached", options->cached, "Take what the cache on disk holds instead of baking anew");
+  command->add_flag("--radiance", options->radiance,
+                    "Write radiance.exr too: the environment itself, as a light rig makes it");
   command->footer(R"(
 Writes lat-long images of 512x256, floats: irradiance.exr (irradiance / pi), prefiltered_R.exr for each R;
 sh9.json, nine RGB triples of the radiance in the real SH basis; bake.json, sizes and times.
 
 Examples:
-  dermis bake environment studio.hdr -o baked --roughness 0.25 --roughness 1.0)");
+  dermis bake environment studio.hdr -o baked --roughness 0.25 --roughness 1.0
+  dermis bake environment my_rig.json -o baked --radiance)");
   command->callback([options, &action] { action = [options] { return bakeEnvironment(*options); }; });
 }
 

@@ -12,6 +12,9 @@
 #include "core/image/comparison.h"
 #include "core/io/content_hash.h"
 #include "core/io/importer.h"
+#include "core/light_rig/light_colour.h"
+#include "core/light_rig/rig_io.h"
+#include "core/light_rig/rig_picture.h"
 #include "core/material/parameter_table.h"
 #include "core/material/preset_io.h"
 #include "core/material/value_json.h"
@@ -163,16 +166,33 @@ Outcome<Json> inspectScene(const fs::path& path, Warnings& warnings) {
   return json;
 }
 
+Outcome<Json> inspectRig(const fs::path& path, Warnings& warnings) {
+  const Result<LightRig> rig = loadRig(path, warnings);
+  if (!rig) return failure(rig.error());
+  const auto picture = rigPicture(*rig);
+  if (!picture) return failure(picture.error());
+  Json json = {{"kind", "rig"}};
+  json["rig"] = Json::parse(writeRig(*rig));
+  // Where a light meter would be held: towards the camera, and towards the sky.
+  for (const auto& [name, normal] : {std::pair("front", glm::dvec3(0, 0, 1)), std::pair("up", glm::dvec3(0, 1, 0))}) {
+    const glm::dvec3 e = irradianceOf(**picture, normal);
+    json["irradiance"][name] = {e.r, e.g, e.b};
+    json["illuminance_lux"][name] = luminance(e) * static_cast<double>(rig->whiteLuminance);
+  }
+  return json;
+}
+
 Outcome<Json> inspect(const fs::path& path, Warnings& warnings) {
   const std::string extension = extensionOf(path);
   if (extension == ".dermis") return inspectScene(path, warnings);
   if (extension == ".json") {
-    // A scene may be called .json too; its format says what it is.
+    // Presets, rigs and sometimes scenes are called .json; the format says what a file is.
     const Result<std::string> text = readFile(path, kMaxJsonBytes);
     if (!text) return failure(text.error());
     const Json json = Json::parse(*text, nullptr, false);
-    const bool scene = json.is_object() && json.value("format", Json()) == Json(kSceneFormat);
-    return scene ? inspectScene(path, warnings) : inspectPreset(path, warnings);
+    const Json format = json.is_object() ? json.value("format", Json()) : Json();
+    if (format == Json(kRigFormat)) return inspectRig(path, warnings);
+    return format == Json(kSceneFormat) ? inspectScene(path, warnings) : inspectPreset(path, warnings);
   }
   if (std::find(kImageExtensions.begin(), kImageExtensions.end(), extension) != kImageExtensions.end())
     return inspectImage(path, warnings);

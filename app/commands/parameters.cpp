@@ -4,13 +4,14 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/commands.h"
+#include "core/light_rig/rig_fields.h"
 #include "core/material/parameter_docs.h"
 
 namespace dermis::cli {
 
 void addParameters(CLI::App& root, Action& action) {
   struct Options {
-    bool json = false, markdown = false, schema = false;
+    bool json = false, markdown = false, schema = false, rigs = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -21,14 +22,18 @@ void addParameters(CLI::App& root, Action& action) {
       ->excludes(json)
       ->excludes(markdown);
   json->excludes(markdown);
+  command->add_flag("--rigs", options->rigs, "The keys of light rigs instead, as Markdown or with --schema")
+      ->excludes(json);
   command->footer(R"(
 Examples:
   dermis parameters
   dermis parameters --json | jq '.[] | select(.group == "Subsurface") | .id'
-  dermis parameters --schema > dermis.material.schema.json)");
+  dermis parameters --schema > dermis.material.schema.json
+  dermis parameters --rigs --schema > dermis.rig.schema.json)");
   command->callback([options, &action] {
     action = [options]() -> Outcome<int> {
-      std::string text = options->json       ? parametersAsJson()
+      std::string text = options->rigs       ? (options->schema ? rigsAsJsonSchema() : rigsAsMarkdown())
+                         : options->json     ? parametersAsJson()
                          : options->markdown ? parametersAsMarkdown()
                          : options->schema   ? parametersAsJsonSchema()
                                              : parametersAsText();

@@ -141,7 +141,7 @@ void EnvironmentPanel::refreshList() {
     auto* item = new QListWidgetItem(text(row.label), m_list);
     item->setData(kBuiltinRole, text(row.id));
     item->setToolTip(text(row.sentence));
-    if (const auto images = builtinEnvironment(row.id))
+    if (const auto images = builtinEnvironment(row.id, 2 * kThumbnail.width()))
       item->setIcon(QIcon(QPixmap::fromImage(panoramaThumbnail(*images, kThumbnail))));
   }
   QSettings settings;

@@ -5,6 +5,7 @@
 
 #include "core/base/file_reference.h"
 #include "core/builtin/default_look.h"
+#include "core/light_rig/rig_io.h"
 #include "core/material/preset_io.h"
 #include "core/scene/scene_io.h"
 #include "ui/document/material_images.h"
@@ -36,7 +37,7 @@ QString fileName(const std::filesystem::path& path) { return QString::fromStdStr
 FileKind fileKind(const std::filesystem::path& path) {
   const std::string ending = QString::fromStdString(path.extension().string()).toLower().toStdString();
   if (ending == ".dermis") return FileKind::Scene;
-  if (ending == ".json") return FileKind::Preset;
+  if (ending == ".json") return isRigFile(path) ? FileKind::Environment : FileKind::Preset;
   if (has(kModelEndings, ending)) return FileKind::Model;
   if (has(kEnvironmentEndings, ending)) return FileKind::Environment;
   if (has(kImageEndings, ending)) return FileKind::Image;
@@ -56,6 +57,8 @@ QString namePatterns(FileKind kind) {
       appendPatterns(patterns, kModelEndings);
       break;
     case FileKind::Environment:
+      patterns << QStringLiteral("*.json");
+      [[fallthrough]];
     case FileKind::Image:
       appendPatterns(patterns, kEnvironmentEndings);
       appendPatterns(patterns, kImageEndings);

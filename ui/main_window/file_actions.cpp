@@ -84,9 +84,10 @@ void FileActions::open(const QString& given) {
       setEnvironmentFile(path);
       break;
     case FileKind::Unknown:
-      Q_EMIT m_loading.message(MessageKind::Error, tr("%1 can't be opened: by its name it is no scene (.dermis), "
-                                                      "model, preset (.json) or environment (.hdr, .exr).")
-                                                       .arg(path));
+      Q_EMIT m_loading.message(MessageKind::Error,
+                               tr("%1 can't be opened: by its name it is no scene (.dermis), "
+                                  "model, preset (.json) or environment (.hdr, .exr, a light rig's .json).")
+                                   .arg(path));
   }
 }
 
@@ -103,9 +104,9 @@ void FileActions::openModel() {
 }
 
 void FileActions::chooseEnvironment() {
-  const QString path =
-      QFileDialog::getOpenFileName(m_window, tr("Choose an environment"), startFolder("environments"),
-                                   tr("Images (%1);;All files (*)").arg(namePatterns(FileKind::Environment)));
+  const QString path = QFileDialog::getOpenFileName(
+      m_window, tr("Choose an environment"), startFolder("environments"),
+      tr("Images and light rigs (%1);;All files (*)").arg(namePatterns(FileKind::Environment)));
   if (path.isEmpty()) return;
   rememberFolder("environments", path);
   setEnvironmentFile(path);

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "core/base/file_reference.h"
+#include "core/base/lower_case.h"
 #include "core/builtin/default_look.h"
 #include "core/builtin/environments.h"
 #include "core/builtin/maps.h"
 #include "core/io/content_hash.h"
 #include "core/io/environment_image.h"
 #include "core/io/importer.h"
+#include "core/light_rig/rig_io.h"
 #include "core/scene/cameras.h"
 #include "core/scene/primitives.h"
 
@@ -254,6 +256,11 @@ Result<std::shared_ptr<const Image>> loadRadiance(const fs::path& path, const Re
 
 Result<std::shared_ptr<const EnvironmentImages>> loadLatLong(const fs::path& path, const ResolveOptions& options,
                                                              Warnings& warnings) {
+  if (lowerCase(path.extension().string()) == ".json") {
+    const auto rig = loadRig(path, warnings);
+    if (!rig) return tl::unexpected(rig.error());
+    return environmentOfRig(*rig, path.filename().string(), 0, options.stop);
+  }
   auto environment = std::make_shared<EnvironmentImages>();
   auto image = loadRadiance(path, options, warnings);
   if (!image) return tl::unexpected(image.error());
