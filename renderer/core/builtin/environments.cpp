@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/base/file_reference.h"
 #include "core/base/resources.h"
 #include "core/io/content_hash.h"
 #include "core/light_rig/rig_io.h"
@@ -28,7 +29,7 @@ std::span<const BuiltinEnvironmentRow> builtinEnvironments() {
 }
 
 Result<LightRig> builtinRig(std::string_view id) {
-  const std::string name = "builtin:" + std::string(id);
+  const std::string name = builtinReference(id);
   const std::string_view text = resource("rigs/" + std::string(id) + ".json");
   if (text.empty()) return inputError(name + " is not a light rig that this program carries");
   Warnings warnings;
