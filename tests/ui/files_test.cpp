@@ -45,6 +45,14 @@ TEST_F(Files, AnEnvironmentFileIsDecodedBesideTheEventLoop) {
   EXPECT_TRUE(document().scene().environment.builtin.empty());
 }
 
+TEST_F(Files, ALightRigIsAnEnvironmentThoughItEndsLikeAPreset) {
+  open(write(folder, "mine.json",
+             R"({"format": "dermis.rig", "version": 1, "width": 64, "elements": [{"type": "dome"}]})"));
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_TRUE(document().scene().environment.path.ends_with("mine.json"));
+  EXPECT_EQ(document().environmentImages()->latLong->width, 64);
+}
+
 TEST_F(Files, OpeningAModelKeepsSlotsOfTheSameNameAndDressesTheOthers) {
   document().setParameter(QStringLiteral("skin"), "subsurface.scale", 3.0F, newGesture());
   const float distance = glm::length(document().camera().position - document().camera().target);
