@@ -215,7 +215,9 @@ std::vector<fs::path> collectInputs(const ResolvedScene& resolved, const std::st
 
 void addLookOptions(CLI::App& command, LookOptions& options) {
   command.add_option("SCENE", options.scene, "A scene file (.dermis); without one, the embedded look");
-  command.add_option("--model", options.model, "Model file, or builtin:default, builtin:sphere, builtin:plane")
+  command
+      .add_option("--model", options.model,
+                  "Model file, or builtin:head, builtin:default, builtin:sphere, builtin:plane")
       ->type_name("MODEL");
   command
       .add_option("--material", options.materials,

@@ -1,4 +1,4 @@
-// What every mesh needs before it can be shaded: normals, one vertex for equal corners, tangents.
+// What every mesh needs before it can be shaded, but for tangents: normals, one vertex for equal corners.
 #pragma once
 
 #include "core/scene/model.h"
@@ -15,10 +15,5 @@ namespace dermis::import {
 /// Moves the mesh into the model, slot by slot: triangles without area and unused vertices dropped, vertices in the
 /// order of first use, equal ones merged where `merge` is set. Returns how many triangles were dropped.
 std::size_t weldInto(RawMesh&& mesh, bool merge, Model& model);
-
-/// Completes tangents (w = 0 where there is none): along +u, bitangent w · cross(n, t) along +v, angle-weighted over
-/// the vertex's triangles; a vertex that mirrored UVs share is split. Without UVs, any frame about the normal. After
-/// Mikkelsen 2008, "Simulation of Wrinkled Surfaces Revisited", §3.3, but grouping by welded vertex.
-void completeTangents(Model& model);
 
 }  // namespace dermis::import

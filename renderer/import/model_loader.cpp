@@ -8,6 +8,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/lower_case.h"
+#include "core/scene/tangents.h"
 #include "import/gltf_check.h"
 #include "import/mesh_math.h"
 #include "import/model_checks.h"

@@ -1,13 +1,15 @@
 #include "core/builtin/default_look.h"
 
 #include <array>
+#include <optional>
 
+#include "core/builtin/head/head.h"
 #include "core/scene/primitives.h"
 
 namespace dermis {
 namespace {
 
-constexpr std::array<std::string_view, 4> kModels = {"default", "head", "sphere", "plane"};
+constexpr std::array<std::string_view, 6> kModels = {"default", "head", "head-low", "head-high", "sphere", "plane"};
 
 /// At the default look's sizes on screen an arc of 1/160 of the circle departs from the true outline by under 0.1
 /// pixel.
@@ -76,12 +78,9 @@ Result<Model> builtinModel(std::string_view name) {
   if (name == "default") return trio();
   if (name == "sphere") return makeSphere();
   if (name == "plane") return makePlane();
-  if (name == "head") {
-    Model model = trio();
-    model.warnings.emplace_back("this version has no built-in head yet; the built-in trio of spheres stands in for it");
-    return model;
-  }
-  return inputError("there is no built-in model \"" + std::string(name) + "\"; choose default, head, sphere or plane");
+  if (const std::optional<HeadLevel> level = headLevel(name)) return builtinHead(*level)->model;
+  return inputError("there is no built-in model \"" + std::string(name) +
+                    "\"; choose default, head, head-low, head-high, sphere or plane");
 }
 
 Scene defaultLook() {

@@ -10,11 +10,11 @@
 
 namespace dermis {
 
-/// Names that a scene's `model.builtin` takes, for messages and help: "default", "sphere", "plane".
+/// Names that a scene's `model.builtin` takes, for messages and help: "default", "head", "sphere", …
 [[nodiscard]] std::span<const std::string_view> builtinModels();
 
 /// A model made in code. "default" has the slots `skin`, `eye`, `gold`, each with its own material as the imported
-/// one. "head" gives "default" until the embedded head exists, and says so in the model's warnings.
+/// one. "head" is the embedded head (head/head.h), "head-low" and "head-high" its other levels of detail.
 /// Errors: Input, an unknown name.
 [[nodiscard]] Result<Model> builtinModel(std::string_view name);
 

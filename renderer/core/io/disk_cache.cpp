@@ -1,6 +1,7 @@
 #include "core/io/disk_cache.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <system_error>
 #include <vector>
 
@@ -30,6 +31,16 @@ void trimDiskCache(const fs::path& folder, std::string_view suffix, std::uintmax
   for (std::size_t i = 0; total > mostBytes && i + 1 < entries.size(); ++i) {
     if (fs::remove(entries[i].path, error)) total -= entries[i].size;
   }
+}
+
+fs::path userCacheFolder() {
+  const auto folder = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && fs::path(value).is_absolute() ? fs::path(value) : fs::path();
+  };
+  if (const fs::path cache = folder("XDG_CACHE_HOME"); !cache.empty()) return cache / "Dermis" / "dermis";
+  const fs::path home = folder("HOME");
+  return home.empty() ? home : home / ".cache" / "Dermis" / "dermis";
 }
 
 }  // namespace dermis

@@ -11,4 +11,8 @@ namespace dermis {
 /// used last stays. Use is the time of last modification: readers touch what they read.
 void trimDiskCache(const std::filesystem::path& folder, std::string_view suffix, std::uintmax_t mostBytes);
 
+/// Where this user's programs keep what they can make again, for Dermis: below $XDG_CACHE_HOME, else ~/.cache. Empty
+/// without either.
+[[nodiscard]] std::filesystem::path userCacheFolder();
+
 }  // namespace dermis

@@ -66,9 +66,12 @@ Sphere fitSphere(const std::vector<glm::dvec3>& points, const std::vector<double
 Sphere fitRobustly(const std::vector<glm::dvec3>& points) {
   std::vector<double> weights(points.size(), 1.0);
   Sphere sphere = fitSphere(points, weights);
-  for (int round = 0; round < 12; ++round) {
+  // The tolerance tightens from a tenth to a hundredth of the radius: a tight one from the start can hold on to the
+  // ring where a wrong sphere cuts the right one.
+  for (int round = 0; round < 16; ++round) {
+    const double tolerance = std::max(0.1 * std::pow(0.75, round), 0.01) * sphere.radius;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double off = (glm::length(points[i] - sphere.centre) - sphere.radius) / (0.01 * sphere.radius);
+      const double off = (glm::length(points[i] - sphere.centre) - sphere.radius) / tolerance;
       weights[i] = 1.0 / ((1.0 + off * off) * (1.0 + off * off));
     }
     sphere = fitSphere(points, weights);

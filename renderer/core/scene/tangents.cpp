@@ -1,9 +1,9 @@
+#include "core/scene/tangents.h"
+
 #include <array>
 #include <cmath>
 
-#include "import/mesh_math.h"
-
-namespace dermis::import {
+namespace dermis {
 namespace {
 
 /// +1 or −1 as the triangle's UVs run counter-clockwise or clockwise; 0 where they have no area.
@@ -106,4 +106,4 @@ void completeTangents(Model& model) {
   }
 }
 
-}  // namespace dermis::import
+}  // namespace dermis

@@ -1,0 +1,53 @@
+#include "core/builtin/head/nose.h"
+
+#include "core/builtin/head/sdf.h"
+
+namespace dermis::sculpt {
+namespace {
+
+bool far(const glm::vec3& p) { return p.z < 70.0F || p.y > 25.0F || p.y < -62.0F || std::abs(p.x) > 34.0F; }
+
+}  // namespace
+
+Nose::Nose()
+    : m_dorsum({{{0, 9, 86}, 5.0F},
+                {{0, 1, 86.2F}, 5.0F},
+                {{0, -9, 92.4F}, 4.6F},
+                {{0, -16, 97}, 4.8F},
+                {{0, -27, 103.8F}, 5.2F},
+                {{0, -35, 108}, 6.0F}}),
+      m_flank({{{4, 2, 78}, 5.0F}, {{6, -10, 80.5F}, 6.5F}, {{7, -22, 86.5F}, 7.5F}, {{8, -33, 95}, 6.5F}}),
+      m_columella(
+          {{{0, -39.5F, 112}, 4.0F}, {{0, -43.5F, 107}, 3.2F}, {{0, -46.5F, 101}, 3.8F}, {{0, -47.5F, 96}, 4.5F}}) {}
+
+float Nose::bridge(const glm::vec3& p) const {
+  return smoothMin(m_dorsum.tube(p), m_flank.tube(mirrored(p, 2.0F)), 14.0F);
+}
+
+float Nose::lobule(const glm::vec3& p) const {
+  const glm::vec3 q = mirrored(p, 1.0F);
+  float d = ellipsoid(p, {0, -35, 107}, {8.6F, 8.4F, 11});
+  d = smoothMin(d, ellipsoid(q, {3.6F, -35.8F, 111}, {4.8F, 5, 5.6F}), 5.0F);  // the two domes of the tip
+  const glm::vec3 wing = turned(q - glm::vec3(11, -40.2F, 100.3F), 0.42F, 0.22F);
+  d = smoothMin(d, ellipsoid(wing, glm::vec3(0.0F), {4.6F, 7, 10.4F}), 6.5F);
+  return smoothMin(d, m_columella.tube(p), 3.0F);
+}
+
+float Nose::join(float face, const glm::vec3& p) const {
+  if (far(p)) return face;
+  const float d = smoothMin(face, bridge(p), glm::mix(7.0F, 13.0F, fade(-18.0F, 4.0F, p.y)));
+  return smoothMin(d, lobule(p), 6.5F);
+}
+
+float Nose::nostril(const glm::vec3& q) {
+  const glm::vec3 hole = turned(q - glm::vec3(7, -43, 103), 0.40F, -0.30F);
+  const float opening = ellipsoid(hole, glm::vec3(0.0F), {3.1F, 9, 5.6F});
+  return smoothMin(opening, capsule(q, {6.2F, -39, 101}, {5.4F, -33, 94}, 3.0F, 2.6F), 2.0F);
+}
+
+float Nose::cutNostrils(float face, const glm::vec3& q) const {
+  if (q.z < 70.0F || q.y > -20.0F || q.y < -60.0F || q.x > 26.0F) return face;
+  return smoothMax(face, -nostril(q), 1.4F);
+}
+
+}  // namespace dermis::sculpt
