@@ -107,7 +107,7 @@ DiffusionKernel makeDiffusionKernel(const DiffusionProfile& profile) {
   return kernel;
 }
 
-glm::vec3 DiffusionKernels::albedoOf(const ResolvedScene& scene, std::size_t slot) {
+glm::vec3 DiffusionKernels::meanAlbedo(const ResolvedScene& scene, std::size_t slot) {
   const ResolvedMaterial& material = scene.slots[slot];
   const MeanOf of{material.images.at(static_cast<std::size_t>(TextureSlot::Albedo)), scene.model,
                   material.material.texture(TextureSlot::Albedo)};
@@ -127,7 +127,7 @@ std::uint64_t DiffusionKernels::update(const ResolvedScene& scene, Warnings& mes
   for (std::size_t i = 0; i < slots; ++i) {
     const Material& material = scene.slots[i].material;
     if (!diffuses(material)) continue;
-    const Used used{DiffusionProfile::of(material, albedoOf(scene, i)),
+    const Used used{DiffusionProfile::of(material, meanAlbedo(scene, i)),
                     material.parameters.subsurfaceBoundaryColor.rgb};
     if (wanted.size() < kMaxProfiles) {
       wanted.push_back(used);

@@ -45,6 +45,8 @@ class DiffusionKernels {
 
   /// The profile id of a slot: 0 where its material doesn't diffuse, else 1 + its profile's index.
   [[nodiscard]] int id(std::size_t slot) const { return m_ids.at(slot); }
+  /// meanAlbedo() of core/scene, of the scene that update() saw last; each map is looked at once.
+  [[nodiscard]] glm::vec3 meanAlbedo(const ResolvedScene& scene, std::size_t slot);
   /// Profiles in use.
   [[nodiscard]] std::size_t count() const { return m_used.size(); }
   /// The radius that holds all profiles, mm.
@@ -64,8 +66,6 @@ class DiffusionKernels {
     TextureBinding binding;
     bool operator==(const MeanOf&) const = default;
   };
-  [[nodiscard]] glm::vec3 albedoOf(const ResolvedScene& scene, std::size_t slot);
-
   std::vector<Used> m_used;
   std::vector<int> m_ids;
   std::vector<MeanOf> m_meansOf;

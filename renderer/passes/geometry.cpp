@@ -14,15 +14,18 @@ struct Vertex {
 };
 
 /// A VertexBake in half floats, as resources/shaders/mesh_bake.glsl takes it.
-using BakedVertex = std::array<std::uint16_t, 20>;
-constexpr GLuint kFirstBaked = 3, kBakedVectors = 5, kBakedBinding = 1;
-constexpr std::size_t kThicknessAt = 9;
+using BakedVertex = std::array<std::uint16_t, 28>;
+// Displacement's attributes lie between.
+constexpr std::array<GLuint, 7> kBakedAttributes = {3, 4, 5, 6, 7, 11, 12};
+constexpr GLuint kBakedBinding = 1;
+constexpr std::size_t kThicknessAt = 9, kFarAt = 10, kBounceAt = 19;
 
 BakedVertex packed(const VertexBake& bake) {
   BakedVertex halves{};
   for (std::size_t i = 0; i < 9; ++i) {
     halves[i] = glm::packHalf1x16(bake.hiddenSky[i]);
-    halves[kThicknessAt + 1 + i] = glm::packHalf1x16(bake.farSky[i]);
+    halves[kFarAt + i] = glm::packHalf1x16(bake.farSky[i]);
+    halves[kBounceAt + i] = glm::packHalf1x16(bake.bounce[i]);
   }
   halves[kThicknessAt] = glm::packHalf1x16(bake.thicknessMm);
   return halves;
@@ -69,19 +72,20 @@ void Geometry::setBake(const MeshBake* bake) {
     m_baked = gl::Buffer::fixed("mesh bake", std::as_bytes(std::span(vertices)));
     glVertexArrayVertexBuffer(id, kBakedBinding, m_baked.id(), 0, static_cast<GLsizei>(vertexBytes));
   }
-  for (GLuint i = 0; i < kBakedVectors; ++i) {
-    (bake != nullptr ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(id, kFirstBaked + i);
-    glVertexArrayAttribFormat(id, kFirstBaked + i, 4, GL_HALF_FLOAT, GL_FALSE, i * 4 * sizeof(std::uint16_t));
-    glVertexArrayAttribBinding(id, kFirstBaked + i, kBakedBinding);
+  GLuint offset = 0;
+  for (const GLuint attribute : kBakedAttributes) {
+    (bake != nullptr ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(id, attribute);
+    glVertexArrayAttribFormat(id, attribute, 4, GL_HALF_FLOAT, GL_FALSE, offset);
+    glVertexArrayAttribBinding(id, attribute, kBakedBinding);
+    offset += 4 * sizeof(std::uint16_t);
   }
 }
 
 void Geometry::bind() const {
   m_vertexArray.bind();
   // What vertices read that have nothing baked: these values belong to the context, not to the array.
-  for (GLuint i = 0; i < kBakedVectors; ++i) glVertexAttrib4f(kFirstBaked + i, 0.0F, 0.0F, 0.0F, 0.0F);
-  constexpr GLuint kThicknessVector = kFirstBaked + kThicknessAt / 4;
-  glVertexAttrib4f(kThicknessVector, 0.0F, -1.0F, 0.0F, 0.0F);
+  for (const GLuint attribute : kBakedAttributes) glVertexAttrib4f(attribute, 0.0F, 0.0F, 0.0F, 0.0F);
+  glVertexAttrib4f(kBakedAttributes[kThicknessAt / 4], 0.0F, -1.0F, 0.0F, 0.0F);
 }
 
 void Geometry::draw(const ModelPart& part) const {

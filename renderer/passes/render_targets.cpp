@@ -130,13 +130,16 @@ Result<void> RenderTargets::prepareSurfaces() {
   m_tangent = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "tangent"});
   m_sky = gl::Texture::create({.format = GL_RGBA8, .width = m_size.x, .height = m_size.y, .label = "sky share"});
   m_far = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "far side"});
+  m_bounce =
+      gl::Texture::create({.format = GL_R11F_G11F_B10F, .width = m_size.x, .height = m_size.y, .label = "bounce"});
   m_surfaces = gl::Framebuffer::create("surfaces");
   m_surfaces.attachColour(0, m_surface);
   m_surfaces.attachColour(1, m_tangent);
   m_surfaces.attachColour(2, m_sky);
   m_surfaces.attachColour(3, m_far);
+  m_surfaces.attachColour(4, m_bounce);
   m_surfaces.attachDepth(m_depth);
-  m_surfaces.drawTo(4);
+  m_surfaces.drawTo(5);
   if (!m_shading) m_shading = framebufferOf(kSurfaceImages, "shading", false);
   if (auto complete = m_surfaces.check(); !complete) return complete;
   return m_shading.check();
@@ -150,6 +153,7 @@ void RenderTargets::bindSurfaces() const {
   constexpr GLuint kBakedUnit = 29;
   m_sky.bind(kBakedUnit);
   m_far.bind(kBakedUnit + 1);
+  m_bounce.bind(kBakedUnit + 2);
 }
 
 Result<void> RenderTargets::prepareSums(SceneImages images) {

@@ -92,7 +92,7 @@ class RenderTargets {
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Texture m_surface, m_tangent, m_sky, m_far, m_spread;
+  gl::Texture m_surface, m_tangent, m_sky, m_far, m_bounce, m_spread;
   gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_shading, m_composed, m_radiances, m_spreading;
 };
 

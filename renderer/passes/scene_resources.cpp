@@ -209,6 +209,7 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   draw.mapBits.w = m_kernels.id(index);
   const ScatteringLength scattering = scatteringLength(source.material.parameters);
   draw.scattering = glm::vec4(scattering.mm, static_cast<float>(scattering.reading));
+  draw.meanAlbedo = glm::vec4(m_kernels.meanAlbedo(*m_scene, index), 0.0F);
   if (slot.model == ShadingModel::Eye) {
     if (slot.eyesOf != m_model) {
       slot.eyes.clear();

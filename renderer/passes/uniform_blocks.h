@@ -51,10 +51,11 @@ struct DrawBlock {
   std::array<MapBlock, kTextureSlotCount> maps{};
   glm::ivec4 mapBits{0};
   glm::vec4 scattering{0.0F};
+  glm::vec4 meanAlbedo{0.0F};
   glm::ivec4 eyeCount{0};
   std::array<glm::vec4, kMostEyeballs> eyeCentre{}, eyeAxis{}, eyeUv{};
 };
-static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 48 + 3 * kMostEyeballs * 16);
+static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 64 + 3 * kMostEyeballs * 16);
 
 template <class Block>
 [[nodiscard]] std::span<const std::byte> bytesOf(const Block& block) {

@@ -10,6 +10,7 @@ in vec4 v_tangent;
 in vec2 v_uv;
 in vec4 v_sky;
 in vec4 v_far;
+in vec3 v_bounce;
 #ifdef DERMIS_DISPLACED
 #include "displacement.glsl"
 in vec3 v_gradient_u;
@@ -21,6 +22,7 @@ layout(location = 0) out vec4 o_surface;  // uv, normal on the octahedron
 layout(location = 1) out vec4 o_tangent;  // tangent; (slot + 1) · 4 + 2 if front-facing + 1 if the tangent's sign is positive
 layout(location = 2) out vec4 o_sky;  // as surface.vert leaves them
 layout(location = 3) out vec4 o_far;
+layout(location = 4) out vec4 o_bounce;
 
 void main() {
   vec3 normal = v_normal;
@@ -31,4 +33,5 @@ void main() {
   o_tangent = vec4(v_tangent.xyz, float((u_slot + 1) * 4 + (gl_FrontFacing ? 2 : 0) + (v_tangent.w > 0.0 ? 1 : 0)));
   o_sky = v_sky;
   o_far = v_far;
+  o_bounce = vec4(v_bounce, 0.0);
 }

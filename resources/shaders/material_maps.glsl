@@ -63,16 +63,23 @@ float occlusionMap(vec2 uv, float strength) {
   return 1.0 + strength * (clamp(scalarMap(u_map_occlusion, kMapOcclusion, uv), 0.0, 1.0) - 1.0);
 }
 
-// Ambient occlusion, and the share of the environment's irradiance that arrives: the map's where there is one, else what was baked of the
-// mesh.
-float skyShare(Surface s, float strength, out vec3 share) {
+// Interreflection where only the occlusion is known: a surface that sees the share `visibility` of the sky sees itself, and light on it,
+// in the rest. Jimenez, Wu, Pesce & Jarabo 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion", equation 10 and its fit: 1
+// in the open.
+vec3 multiBounce(float visibility, vec3 albedo) {
+  vec3 a = 2.0404 * albedo - 0.3324;
+  vec3 b = -4.7951 * albedo + 0.6417;
+  vec3 c = 2.7552 * albedo + 0.6903;
+  return min(max(vec3(visibility), ((visibility * a + b) * visibility + c) * visibility), 1.0);
+}
+
+// What arrives of light that doesn't come straight from a lamp: the map's where there is one, else what was baked of the mesh.
+SkyLight skyLight(Surface s, vec3 albedo, float strength) {
   if (hasMap(kMapOcclusion)) {
     float ao = occlusionMap(s.uv, strength);
-    share = vec3(ao);
-    return ao;
+    return SkyLight(multiBounce(ao, albedo), vec3(0.0), ao);
   }
-  share = 1.0 + strength * (s.sky_share - 1.0);
-  return 1.0 + strength * (s.baked_occlusion - 1.0);
+  return SkyLight(1.0 + strength * (s.sky_share - 1.0), strength * s.bounce, 1.0 + strength * (s.baked_occlusion - 1.0));
 }
 
 // What a normal map says of a place.

@@ -12,6 +12,7 @@ layout(binding = 22) uniform sampler2D u_tangent;
 layout(binding = 23) uniform sampler2D u_depth;
 layout(binding = 29) uniform sampler2D u_sky;
 layout(binding = 30) uniform sampler2D u_far;
+layout(binding = 31) uniform sampler2D u_bounce;
 uniform int u_slot;  // shades the pixels of this one
 #else
 in vec3 v_position;
@@ -20,6 +21,7 @@ in vec4 v_tangent;
 in vec2 v_uv;
 in vec4 v_sky;
 in vec4 v_far;
+in vec3 v_bounce;
 #ifdef DERMIS_DISPLACED
 #include "displacement.glsl"
 in vec3 v_gradient_u;
@@ -73,6 +75,7 @@ Surface surfaceHere() {
   s.baked_occlusion = sky.a;
   s.far_light = far.rgb;
   s.baked_thickness_mm = far.a;
+  s.bounce = texelFetch(u_bounce, pixel, 0).rgb;
   return s;
 }
 #else
@@ -91,6 +94,7 @@ Surface surfaceHere() {
   s.baked_occlusion = v_sky.a;
   s.far_light = v_far.rgb;
   s.baked_thickness_mm = v_far.a;
+  s.bounce = v_bounce;
   return s;
 }
 #endif

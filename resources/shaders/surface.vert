@@ -1,5 +1,4 @@
 // Geometry to the screen. Model transforms were applied when the file was read, so model space is world space.
-#include "frame_block.glsl"
 #include "mesh_bake.glsl"
 
 layout(location = 0) in vec4 a_position_u;
@@ -17,6 +16,7 @@ out vec4 v_tangent;
 out vec2 v_uv;
 out vec4 v_sky;  // share of the environment's irradiance that arrives; ambient occlusion
 out vec4 v_far;  // irradiance/π of the far side; thickness in mm
+out vec3 v_bounce;  // irradiance/π from other parts of the mesh
 #ifdef DERMIS_DISPLACED
 out vec4 v_direction;  // to displace.tesc
 out vec3 v_gradient_u;
@@ -28,9 +28,10 @@ void main() {
   v_normal = a_normal_v.xyz;
   v_tangent = a_tangent;
   v_uv = vec2(a_position_u.w, a_normal_v.w);
-  BakedSky sky = bakedSky(a_normal_v.xyz);
+  BakedSky sky = bakedSky(a_position_u.xyz, a_normal_v.xyz);
   v_sky = vec4(sky.share, sky.open);
   v_far = vec4(sky.far_light, a_hidden_8.y);
+  v_bounce = sky.bounce;
 #ifdef DERMIS_DISPLACED
   v_direction = a_direction;
   v_gradient_u = a_gradient_u;

@@ -14,7 +14,15 @@ struct Surface {
   float baked_occlusion;     // share of the sky that the mesh itself leaves free; 1 where nothing is known
   float baked_thickness_mm;  // of the material behind the point; negative where nothing is known
   vec3 sky_share;            // the environment's irradiance in the mesh's own shadow over what it is without
+  vec3 bounce;               // irradiance/π that comes from other parts of the mesh
   vec3 far_light;            // the environment's irradiance/π on the far side of the material
+};
+
+// What arrives of light that doesn't come straight from a lamp.
+struct SkyLight {
+  vec3 share;   // of the environment's irradiance
+  vec3 bounce;  // irradiance/π of what the rest of the mesh sends on
+  float open;   // ambient occlusion, 1 in the open
 };
 
 // Light through the body is split in two, because what lies between is diffusion: `entering` is what goes in, as the radiance that a

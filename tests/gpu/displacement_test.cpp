@@ -14,38 +14,6 @@ namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// A model like `model`, of no vertices and triangles yet.
-Model emptied(Model model) {
-  model.positions.clear();
-  model.normals.clear();
-  model.tangents.clear();
-  model.uvs.clear();
-  model.indices.clear();
-  return model;
-}
-
-/// −1..1 in x and y at z = 0 like makePlane(), of n × n squares.
-Model grid(int n) {
-  const Model plane = makePlane();
-  Model model = emptied(plane);
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) {
-      const glm::vec2 uv = glm::vec2(i, j) / static_cast<float>(n);
-      model.positions.emplace_back(2.0F * uv - 1.0F, 0.0F);
-      model.normals.push_back(plane.normals[0]);
-      model.tangents.push_back(plane.tangents[0]);
-      model.uvs.push_back(uv);
-    }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * (n + 1) + i);
-      const auto b = a + static_cast<std::uint32_t>(n) + 1;
-      model.indices.insert(model.indices.end(), {a, a + 1, b + 1, a, b + 1, b});
-    }
-  model.parts[0].indexCount = static_cast<std::uint32_t>(model.indices.size());
-  return model;
-}
-
 /// A cube of half extent ½ with hard edges, turned towards the camera by a corner; every face has all of the map.
 Model cube() {
   const Model face = makePlane();
@@ -124,7 +92,8 @@ TEST_F(Displacement, ASineIsWhereItShouldBeAndFacesWhereItShould) {
   const auto map = heightMap(512, height01);
   // The plane is 2 units wide: 20, 60 and 200 mm.
   for (const float mmPerUnit : {10.0F, 30.0F, 100.0F}) {
-    ResolvedScene scene = displacedScene(grid(16), map, static_cast<float>(kAmplitude), static_cast<float>(kMidlevel));
+    ResolvedScene scene =
+        displacedScene(planeOf(16), map, static_cast<float>(kAmplitude), static_cast<float>(kMidlevel));
     scene.millimetresPerUnit = mmPerUnit;
     const Views views = look(scene);
     double depthError = 0.0, worstAngle = 0.0, meanAngle = 0.0;
@@ -263,7 +232,7 @@ TEST_F(Displacement, ZeroIsAsIfThereWereNoMap) {
 }
 
 TEST_F(Displacement, TheSliderCompilesAndUploadsNothing) {
-  ResolvedScene scene = displacedScene(grid(8), noise(), 0.0F, 0.5F);
+  ResolvedScene scene = displacedScene(planeOf(8), noise(), 0.0F, 0.5F);
   scene.environment = constantWorld(glm::vec3(0.0F));  // in a white one everything is white
   scene.scene.lights = {pointLight({0.5F, 0.5F, 2.0F}, 5.0F)};
   const Image flat = still(scene);
@@ -286,7 +255,7 @@ TEST_F(Displacement, TheSliderCompilesAndUploadsNothing) {
 TEST_F(Displacement, IsNotCutOffByThePlanesOfTheCamera) {
   // 5 mm a unit: the plane rises by 4 units towards a camera 5 away, and sinks by 4.
   for (const float mm : {20.0F, -20.0F}) {
-    ResolvedScene scene = displacedScene(grid(4), heightMap(4, [](double, double) { return 1.0; }), mm, 0.0F);
+    ResolvedScene scene = displacedScene(planeOf(4), heightMap(4, [](double, double) { return 1.0; }), mm, 0.0F);
     scene.millimetresPerUnit = 5.0F;
     const Views views = look(scene);
     EXPECT_NEAR(pixel(views.depth, 24, 24).r, 5.0F - mm / 5.0F, 1e-3F);
@@ -297,7 +266,7 @@ TEST_F(Displacement, MovesWithTheCameraAsItStands) {
   m_size = {160, 160};
   // Many triangles, so that software GL takes its way for dense meshes.
   ResolvedScene scene = displacedScene(
-      grid(80),
+      planeOf(80),
       heightMap(256, [](double u,
                         double v) { return 0.5 + 0.25 * (std::sin(3.0 * kTwoPi * u) + std::cos(2.0 * kTwoPi * v)); }),
       20.0F, 0.5F);

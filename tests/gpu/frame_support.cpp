@@ -47,6 +47,36 @@ Material materialOf(ShadingModel model) {
   return material;
 }
 
+Model emptied(Model model) {
+  model.positions.clear();
+  model.normals.clear();
+  model.tangents.clear();
+  model.uvs.clear();
+  model.indices.clear();
+  return model;
+}
+
+Model planeOf(int n) {
+  const Model plane = makePlane();
+  Model model = emptied(plane);
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const glm::vec2 uv = glm::vec2(i, j) / static_cast<float>(n);
+      model.positions.emplace_back(2.0F * uv - 1.0F, 0.0F);
+      model.normals.push_back(plane.normals[0]);
+      model.tangents.push_back(plane.tangents[0]);
+      model.uvs.push_back(uv);
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * (n + 1) + i);
+      const auto b = a + static_cast<std::uint32_t>(n) + 1;
+      model.indices.insert(model.indices.end(), {a, a + 1, b + 1, a, b + 1, b});
+    }
+  model.parts[0].indexCount = static_cast<std::uint32_t>(model.indices.size());
+  return model;
+}
+
 Material emissive(const glm::vec3& radiance) {
   Material material = materialOf(ShadingModel::MetallicRoughness);
   material.parameters.baseAlbedo.rgb = glm::vec3(0.0F);

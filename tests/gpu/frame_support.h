@@ -19,6 +19,11 @@ namespace dermis::test {
                                     const glm::vec3& environment = glm::vec3(1.0F));
 [[nodiscard]] std::shared_ptr<const EnvironmentImages> constantWorld(const glm::vec3& radiance);
 
+/// A model like `model`, of no vertices and triangles yet.
+[[nodiscard]] Model emptied(Model model);
+/// −1..1 in x and y at z = 0 like makePlane(), of n × n squares.
+[[nodiscard]] Model planeOf(int n);
+
 /// Shows its emission and nothing else: black under any light but for the reflection of the environment.
 [[nodiscard]] Material emissive(const glm::vec3& radiance);
 [[nodiscard]] Light pointLight(const glm::vec3& position, float intensity);

@@ -145,6 +145,54 @@ TEST(MeshBake, ConvexBodySeesTheWholeSky) {
   for (const VertexBake& vertex : bake->vertices) EXPECT_EQ(occlusionOf(vertex.hiddenSky), 1.0F);
 }
 
+/// What a wall facing +Z receives at the height y above a floor that reaches to z = `depth`, by quadrature over its
+/// sky.
+Harmonics<double> receivedByWall(double y, double depth) {
+  Harmonics<double> received{};
+  const int n = 120;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < 2 * n; ++i) {
+      const double z = std::sqrt((j + 0.5) / n), r = std::sqrt(1 - z * z), phi = std::numbers::pi * (i + 0.5) / n;
+      const glm::dvec3 d(r * std::cos(phi), r * std::sin(phi), z);
+      if (d.y < 0.0 && d.z * (y / -d.y) < depth) continue;
+      const Harmonics<double> basis = harmonicsAt(d);
+      for (std::size_t k = 0; k < 9; ++k) received[k] += basis[k] / (2.0 * n * n);
+    }
+  return received;
+}
+
+TEST(MeshBake, WallSendsOnWhatItReceives) {
+  const double height = 3.0, depth = 8.0;
+  constexpr int kCells = 40;
+  Model model;
+  addSheet(model, {-1e3F, 0, 0}, {0, 0, static_cast<float>(depth)}, {2e3F, 0, 0}, kCells);   // the floor
+  addSheet(model, {-1e3F, 0, 0}, {2e3F, 0, 0}, {0, static_cast<float>(height), 0}, kCells);  // the wall
+  MeshBakeOptions options;
+  options.skyRays = options.bounceRays = 2048;
+  const auto bake = bakeOf(finished(std::move(model)), options);
+  // The share of a floor element's sky that is the strip of an endless wall at the height y: d y / (2 (d² + y²)^1.5)
+  // dy.
+  std::vector<Harmonics<double>> received;
+  const int steps = 60;
+  for (int i = 0; i < steps; ++i) received.push_back(receivedByWall(height * (i + 0.5) / steps, depth));
+  for (const int cell : {4, 10, 20}) {
+    const double d = depth * cell / kCells;
+    Harmonics<double> expected{};
+    for (int i = 0; i < steps; ++i) {
+      const double y = height * (i + 0.5) / steps;
+      const double share = d * y / (2.0 * std::pow(d * d + y * y, 1.5)) * height / steps;
+      for (std::size_t k = 0; k < 9; ++k) expected[k] += share * received[static_cast<std::size_t>(i)][k];
+    }
+    const VertexBake& vertex = bake->vertices[static_cast<std::size_t>(20 * (kCells + 1) + cell)];
+    for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(vertex.bounce[k], expected[k], 0.002) << "z " << d << ", " << k;
+  }
+}
+
+TEST(MeshBake, NoLightInAClosedCavity) {
+  const auto bake = bakeOf(shell(10.0F, 8.0F));
+  for (const VertexBake& vertex : bake->vertices) ASSERT_NEAR(vertex.bounce[0], 0.0F, 1e-3F);
+}
+
 TEST(MeshBake, SlabsHaveTheirThickness) {
   for (const float thickness : {0.5F, 1.0F, 2.0F, 4.0F, 8.0F}) {
     const Model model = slab(thickness);

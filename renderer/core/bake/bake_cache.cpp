@@ -26,7 +26,7 @@ struct Header {
   std::uint64_t vertices, hash;
 };
 constexpr std::array<char, 8> kMagic = {'D', 'R', 'M', 'S', 'M', 'S', 'H', '1'};
-static_assert(sizeof(VertexBake) == 19 * sizeof(float));
+static_assert(sizeof(VertexBake) == 28 * sizeof(float));
 
 template <class T>
 std::uint64_t hashed(const std::vector<T>& values, std::uint64_t seed) {
@@ -40,6 +40,7 @@ fs::path meshBakeFile(const Model& model, const MeshBakeOptions& options) {
   hash = hashed(model.normals, hash);
   hash = hashed(model.indices, hash);
   std::vector<std::uint64_t> rest = {static_cast<std::uint64_t>(options.skyRays),
+                                     static_cast<std::uint64_t>(options.bounceRays),
                                      static_cast<std::uint64_t>(options.thicknessRays), options.mostPoints};
   for (const ModelPart& part : model.parts) {
     const bool casts = part.slot >= options.castingSlots.size() || options.castingSlots[part.slot];

@@ -31,6 +31,23 @@ Harmonics<float> receivedAt(const RayScene& scene, const Model& model, const Bak
   return received;
 }
 
+Harmonics<float> bounceAt(const RayScene& scene, const Model& model, const BakePoints& points,
+                          const std::vector<Harmonics<float>>& hidden, std::size_t point, const RaySet& rays) {
+  Harmonics<float> sum{};
+  if (hidden[point] == Harmonics<float>{}) return sum;  // sees nothing but sky
+  std::vector<glm::vec3> directions(rays.size());
+  std::vector<std::optional<RayScene::Hit>> hits(rays.size());
+  rays.around(points.normals[point], directions);
+  scene.firstHits(points.positions[point] + points.normals[point] * scene.bias(), directions, hits);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    // The inside of an open mesh is as dark as it is when it's closed.
+    if (!hits[i] || !scene.meetsOutside(*hits[i], directions[i])) continue;
+    const Harmonics<float> received = receivedAt(scene, model, points, hidden, *hits[i]);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += received[k] / static_cast<float>(rays.size());
+  }
+  return sum;
+}
+
 FarRow farRow(const RayScene& scene, const Model& model, const BakePoints& points,
               const std::vector<Harmonics<float>>& hidden, std::size_t point, const RaySet& rays,
               float millimetresPerUnit) {
@@ -61,8 +78,17 @@ std::optional<MeshBake> bake(const Model& model, const RayScene& scene, const Me
     for (std::size_t i = begin; i < end; ++i)
       hidden[chosen[i]] = hiddenSky(scene, points.positions[chosen[i]], points.normals[chosen[i]], skyRays);
   };
-  if (!forPieces(chosen.size(), kPiece, options.stop, skies, report(0.0F, 0.7F))) return std::nullopt;
+  if (!forPieces(chosen.size(), kPiece, options.stop, skies, report(0.0F, 0.5F))) return std::nullopt;
   spread(points, chosen, hidden);
+
+  const RaySet bounceRays(options.bounceRays, 90.0F);
+  std::vector<Harmonics<float>> bounce(points.positions.size());
+  const auto bounces = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      bounce[chosen[i]] = bounceAt(scene, model, points, hidden, chosen[i], bounceRays);
+  };
+  if (!forPieces(chosen.size(), kPiece, options.stop, bounces, report(0.5F, 0.7F))) return std::nullopt;
+  spread(points, chosen, bounce);
 
   const RaySet inwardRays(options.thicknessRays, kThicknessConeDegrees);
   std::vector<FarRow> far(points.positions.size());
@@ -79,6 +105,7 @@ std::optional<MeshBake> bake(const Model& model, const RayScene& scene, const Me
     const std::uint32_t point = points.ofVertex[v];
     if (point == BakePoints::kNone) continue;
     made.vertices[v].hiddenSky = hidden[point];
+    made.vertices[v].bounce = bounce[point];
     std::copy_n(far[point].begin(), 9, made.vertices[v].farSky.begin());
     made.vertices[v].thicknessMm = far[point][9];
   }

@@ -20,6 +20,10 @@ struct VertexBake {
   /// ∫ V(d) max(n·d, 0)/π Y_i(d) dω at the places where the rays that measured the thickness left the material, n the
   /// normal there: with an environment's coefficients it gives irradiance/π of the far side.
   Harmonics<float> farSky{};
+  /// Light that other parts of a white, matt mesh send here: the mean over the cosine-weighted sky of what the hidden
+  /// part of it receives, ∫ (1 − V(d)) max(n·d, 0)/π ∫ V(d′) max(n′·d′, 0)/π Y_i(d′) dω′ dω. With an environment's
+  /// coefficients it gives irradiance/π after one bounce (Sloan, Kautz & Snyder 2002, section 4.2).
+  Harmonics<float> bounce{};
   float thicknessMm = -1.0F;  ///< negative: not known
 
   bool operator==(const VertexBake&) const = default;
@@ -42,13 +46,13 @@ struct MeshBakeOptions {
   std::filesystem::path cacheFolder;  ///< empty: no disk cache
   std::stop_token stop;
   std::atomic<float>* progress = nullptr;  ///< 0..1
-  int skyRays = 128, thicknessRays = 32;
+  int skyRays = 128, bounceRays = 64, thicknessRays = 32;
   /// Beyond so many points (vertices apart in place or normal) some are baked and the others interpolated along edges.
   std::size_t mostPoints = 200'000;
 };
 
 /// Changes whenever the same model would give other numbers; part of the cache's key.
-inline constexpr std::uint32_t kMeshBakeVersion = 2;
+inline constexpr std::uint32_t kMeshBakeVersion = 3;
 
 /// Reads the cache or bakes (and writes the cache). The same model gives the same bytes, however many cores there are.
 /// Errors: Cancelled; Runtime (Embree).

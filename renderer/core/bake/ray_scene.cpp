@@ -9,6 +9,17 @@
 
 namespace dermis {
 
+namespace {
+
+RTCRayHit rayFrom(const glm::vec3& o, const glm::vec3& d, float nearest) {
+  RTCRayHit ray{};
+  ray.ray = RTCRay{o.x, o.y, o.z, nearest, d.x, d.y, d.z, 0.0F, std::numeric_limits<float>::infinity(), ~0U, 0, 0};
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  return ray;
+}
+
+}  // namespace
+
 struct RayScene::Handles {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
@@ -88,16 +99,30 @@ void RayScene::blocked(const glm::vec3& origin, std::span<const glm::vec3> direc
   }
 }
 
+void RayScene::firstHits(const glm::vec3& origin, std::span<const glm::vec3> directions,
+                         std::span<std::optional<Hit>> result) const {
+  constexpr std::size_t kStream = 128;
+  std::array<RTCRayHit, kStream> rays;
+  for (std::size_t first = 0; first < directions.size(); first += kStream) {
+    const std::size_t count = std::min(kStream, directions.size() - first);
+    for (std::size_t i = 0; i < count; ++i) rays[i] = rayFrom(origin, directions[first + i], 0.0F);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1M(m_handles->scene, &context, rays.data(), static_cast<unsigned>(count), sizeof(RTCRayHit));
+    for (std::size_t i = 0; i < count; ++i) {
+      const RTCRayHit& ray = rays[i];
+      result[first + i].reset();
+      if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
+        result[first + i] = Hit{ray.ray.tfar, ray.hit.primID, {ray.hit.u, ray.hit.v}};
+    }
+  }
+}
+
 std::optional<RayScene::Hit> RayScene::exitAlong(const glm::vec3& origin, const glm::vec3& direction) const {
   constexpr int kMostSurfaces = 16;
   float nearest = 0.0F;
   for (int i = 0, inside = 1; i < kMostSurfaces; ++i) {
-    RTCRayHit ray{};
-    ray.ray = RTCRay{origin.x,    origin.y,    origin.z,
-                     nearest,     direction.x, direction.y,
-                     direction.z, 0.0F,        std::numeric_limits<float>::infinity(),
-                     ~0U,         0,           0};
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCRayHit ray = rayFrom(origin, direction, nearest);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(m_handles->scene, &context, &ray);

@@ -32,6 +32,13 @@ class RayScene {
 
   /// For each direction whether anything, seen from either side, lies that way.
   void blocked(const glm::vec3& origin, std::span<const glm::vec3> directions, std::span<bool> result) const;
+  /// The first triangle each direction meets, from either side; nothing where that way is open.
+  void firstHits(const glm::vec3& origin, std::span<const glm::vec3> directions,
+                 std::span<std::optional<Hit>> result) const;
+  /// Whether a ray that way meets the triangle's outer side.
+  [[nodiscard]] bool meetsOutside(const Hit& hit, const glm::vec3& direction) const {
+    return glm::dot(m_outward[hit.triangle], direction) < 0.0F;
+  }
   /// Where a ray that starts inside the material leaves it: through a triangle that faces the way the ray goes. What it
   /// enters on the way is another body inside this one, and is passed through.
   [[nodiscard]] std::optional<Hit> exitAlong(const glm::vec3& origin, const glm::vec3& direction) const;

@@ -86,8 +86,7 @@ Shading shade(Surface s) {
   float roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
   float intensity = max(u_material.specular_intensity * scalarMap(u_map_specular, kMapSpecular, s.uv), 0.0);
   float cavity = clamp(u_material.specular_cavity * scalarMap(u_map_cavity, kMapCavity, s.uv), 0.0, 1.0);
-  vec3 share;
-  float ao = skyShare(s, u_material.occlusion_strength, share);
+  SkyLight sky = skyLight(s, albedo, u_material.occlusion_strength);
 
   // The tear film is smoother than the sclera, and no map bends it.
   MappedNormal mapped = mappedNormal(s, u_material.surface_normal_strength);
@@ -96,11 +95,10 @@ Shading shade(Surface s) {
                          mapped.variance * (1.0 - sight.window), intensity);
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
-  LayerLight image =
-      layerImage(layer, p, mix(facingNormal(s), sight.cornea_normal, sight.window), multiBounce(share, albedo), ao);
+  LayerLight image = layerImage(layer, p, mix(facingNormal(s), sight.cornea_normal, sight.window), sky);
 
   vec3 iris_body = irisLamps(layer, p, shape, sight, s.position, facingNormal(s)) +
-                    environmentIrradiance(sight.world_from_eye[2]) * share;
+                    environmentIrradiance(sight.world_from_eye[2]) * sky.share + sky.bounce;
   vec3 body = mix(lamps.body + image.body, iris_body, sight.window);
   float reflects = u_eye_count.y != 0 ? cavity * (1.0 - sight.window) : mix(cavity, 1.0, sight.window);
 
@@ -108,7 +106,7 @@ Shading shade(Surface s) {
   result.exit = p.body_out * albedo;
   // What comes from the iris was not scattered under the surface that is seen.
   result.subsurface = 1.0 - sight.window;
-  result.occlusion = ao;
+  result.occlusion = sky.open;
   result.energy = layerEnergy(p, albedo, reflects);
   return result;
 }

@@ -153,38 +153,28 @@ LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position, vec3 vertex_norm
 }
 
 // Split sum (Karis 2013), one prefiltered look-up; corrected by sampling where the picture is an average (lobe_sampling.glsl).
-vec3 lobeImage(Lobe lobe, LobePoint point, LayerPoint p, vec3 reflected, float ao, vec2 shift) {
+vec3 lobeImage(Lobe lobe, LobePoint point, LayerPoint p, vec3 reflected, float ao, float horizon, vec3 in_the_way, vec2 shift) {
   float alpha = lobe.perceptual_roughness * lobe.perceptual_roughness;
   vec3 mean = environmentPrefiltered(reflected, lobe.perceptual_roughness);
   vec3 sum = point.reflectance * mean;
   for (int i = 0; i < lobeSamples(); ++i)
     sum += lobeCorrection(p.normal, p.view, p.n_dot_v, lobe.perceptual_roughness, point.at_normal, point.at_grazing, point.root_v,
                           mean, lobeRandom(shift));
-  return specularOcclusion(p.n_dot_v, ao, alpha) * sum;
+  float open = specularOcclusion(p.n_dot_v, ao, alpha);
+  return open * horizon * sum + (1.0 - open) * point.reflectance * in_the_way;
 }
 
-// Interreflection: a surface that sees the share `visibility` of the sky sees itself, and light on it, in the rest. Jimenez, Wu, Pesce &
-// Jarabo 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion", equation 10 and its fit: 1 in the open.
-vec3 multiBounce(vec3 visibility, vec3 albedo) {
-  vec3 a = 2.0404 * albedo - 0.3324;
-  vec3 b = -4.7951 * albedo + 0.6417;
-  vec3 c = 2.7552 * albedo + 0.6903;
-  return min(max(visibility, ((visibility * a + b) * visibility + c) * visibility), 1.0);
-}
-
-// The environment. `share` is what of the irradiance arrives; `ao` dims the
-// reflections as far as they come from where it says that something is in the way.
-LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, vec3 share, float ao) {
+// Image light. Reflections are dimmed as far as they come from where something is in the way, and show that instead: the rest of the mesh,
+// by the mean of what it sends here.
+LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, SkyLight sky) {
   vec3 r = reflect(-p.view, p.normal);
-  vec3 specular = lobeImage(layer.first, p.first, p, r, ao, vec2(0.5));
+  float horizon = horizonOcclusion(r, vertex_normal);
+  vec3 in_the_way = sky.bounce / max(1.0 - sky.open, 0.02);
+  vec3 specular = lobeImage(layer.first, p.first, p, r, sky.open, horizon, in_the_way, vec2(0.5));
 #if DERMIS_LOBES == 2
-  specular += lobeImage(layer.second, p.second, p, r, ao, vec2(0.0, 0.25));
+  specular += lobeImage(layer.second, p.second, p, r, sky.open, horizon, in_the_way, vec2(0.0, 0.25));
 #endif
-  return LayerLight(environmentIrradiance(p.normal) * share, specular * horizonOcclusion(r, vertex_normal));
-}
-
-LayerLight layerImage(Layer layer, LayerPoint p, vec3 vertex_normal, float ao) {
-  return layerImage(layer, p, vertex_normal, vec3(ao), ao);
+  return LayerLight(environmentIrradiance(p.normal) * sky.share + sky.bounce, specular);
 }
 
 // Share of a white environment that layer and body send to the viewer, of the channel that sends most.

@@ -17,7 +17,7 @@ Shading shade(Surface s) {
   vec3 normal = facingNormal(s);
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
-  LayerLight image = layerImage(layer, p, normal, 1.0);
+  LayerLight image = layerImage(layer, p, normal, SkyLight(vec3(1.0), vec3(0.0), 1.0));
 
   Shading result = plainShading(vec3(0.0), inHalfRange(lamps.specular + image.specular), u_material.lens_opacity, normal);
   // The published blending, source alpha over one minus source alpha, dims the reflection as well.

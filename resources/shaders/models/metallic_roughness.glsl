@@ -33,7 +33,7 @@ Shading shade(Surface s) {
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
-  LayerLight image = layerImage(layer, p, facingNormal(s), ao);
+  LayerLight image = layerImage(layer, p, facingNormal(s), SkyLight(vec3(ao), vec3(0.0), ao));
 
   // glTF's alpha is coverage: it thins the whole surface, its reflections too.
   vec3 specular = inHalfRange(alpha * (lamps.specular + image.specular + emission));

@@ -61,8 +61,7 @@ Shading shade(Surface s) {
   float roughness = u_material.specular_perceptual_roughness * scalarMap(u_map_roughness, kMapRoughness, s.uv);
   float intensity = max(u_material.specular_intensity * scalarMap(u_map_specular, kMapSpecular, s.uv), 0.0);
   float cavity = clamp(u_material.specular_cavity * scalarMap(u_map_cavity, kMapCavity, s.uv), 0.0, 1.0);
-  vec3 share;
-  float ao = skyShare(s, u_material.occlusion_strength, share);
+  SkyLight sky = skyLight(s, albedo, u_material.occlusion_strength);
   MappedNormal mapped = mappedNormalWithDetail(s, u_material.surface_normal_strength, u_material.surface_detail_strength,
                                                u_material.surface_detail_tiling);
   vec3 normal = mapped.normal;
@@ -73,7 +72,7 @@ Shading shade(Surface s) {
 
   LayerPoint p = layerPoint(layer, normal, s.view);
   LayerLight lamps = layerLamps(layer, p, s.position, facingNormal(s));
-  LayerLight image = layerImage(layer, p, facingNormal(s), multiBounce(share, albedo), ao);
+  LayerLight image = layerImage(layer, p, facingNormal(s), sky);
 
   // albedo^m goes in, albedo^(1 − m) comes out: m = 0 keeps texture detail sharp (d'Eon & Luebke 2007, GPU Gems 3, section 14.4).
   vec3 safe_albedo = max(albedo, vec3(1e-5));
@@ -99,7 +98,7 @@ Shading shade(Surface s) {
   // Pores and creases swallow reflections; what they swallow is not diffused either.
   result.specular = inHalfRange(cavity * (lamps.specular + image.specular));
   result.alpha = 1.0;
-  result.occlusion = ao;
+  result.occlusion = sky.open;
   result.shading_normal = normal;
   return result;
 }
