@@ -39,7 +39,7 @@ vec3 bounced(vec3 position) {
                      0.31539157 * a_bounce_5.y * (3.0 * l.z * l.z - 1.0) + 0.54627422 * a_bounce_5.w * (l.x * l.x - l.y * l.y);
     once += max(received, 0.0) * light.irradiance;
   }
-  float among = min(1.0 - a_far_6.w / max(a_hidden_0.x, 1e-6), 0.95);
+  float among = min(1.0 - a_far_6.w / max(a_hidden_0.x, 1e-6), 0.999);
   return max(once, 0.0) * u_mean_albedo.rgb / (1.0 - u_mean_albedo.rgb * among);
 }
 

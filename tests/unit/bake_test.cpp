@@ -168,7 +168,7 @@ TEST(MeshBake, WallSendsOnWhatItReceives) {
   addSheet(model, {-1e3F, 0, 0}, {0, 0, static_cast<float>(depth)}, {2e3F, 0, 0}, kCells);   // the floor
   addSheet(model, {-1e3F, 0, 0}, {2e3F, 0, 0}, {0, static_cast<float>(height), 0}, kCells);  // the wall
   MeshBakeOptions options;
-  options.skyRays = options.bounceRays = 2048;
+  options.skyRays = 2048;
   const auto bake = bakeOf(finished(std::move(model)), options);
   // The share of a floor element's sky that is the strip of an endless wall at the height y: d y / (2 (d² + y²)^1.5)
   // dy.

@@ -40,7 +40,7 @@ fs::path meshBakeFile(const Model& model, const MeshBakeOptions& options) {
   hash = hashed(model.normals, hash);
   hash = hashed(model.indices, hash);
   std::vector<std::uint64_t> rest = {static_cast<std::uint64_t>(options.skyRays),
-                                     static_cast<std::uint64_t>(options.bounceRays),
+
                                      static_cast<std::uint64_t>(options.thicknessRays), options.mostPoints};
   for (const ModelPart& part : model.parts) {
     const bool casts = part.slot >= options.castingSlots.size() || options.castingSlots[part.slot];

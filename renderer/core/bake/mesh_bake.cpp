@@ -81,11 +81,11 @@ std::optional<MeshBake> bake(const Model& model, const RayScene& scene, const Me
   if (!forPieces(chosen.size(), kPiece, options.stop, skies, report(0.0F, 0.5F))) return std::nullopt;
   spread(points, chosen, hidden);
 
-  const RaySet bounceRays(options.bounceRays, 90.0F);
+  // By the same rays: what is hidden is what sends light.
   std::vector<Harmonics<float>> bounce(points.positions.size());
   const auto bounces = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      bounce[chosen[i]] = bounceAt(scene, model, points, hidden, chosen[i], bounceRays);
+      bounce[chosen[i]] = bounceAt(scene, model, points, hidden, chosen[i], skyRays);
   };
   if (!forPieces(chosen.size(), kPiece, options.stop, bounces, report(0.5F, 0.7F))) return std::nullopt;
   spread(points, chosen, bounce);

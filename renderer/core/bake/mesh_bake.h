@@ -46,7 +46,7 @@ struct MeshBakeOptions {
   std::filesystem::path cacheFolder;  ///< empty: no disk cache
   std::stop_token stop;
   std::atomic<float>* progress = nullptr;  ///< 0..1
-  int skyRays = 128, bounceRays = 64, thicknessRays = 32;
+  int skyRays = 128, thicknessRays = 32;
   /// Beyond so many points (vertices apart in place or normal) some are baked and the others interpolated along edges.
   std::size_t mostPoints = 200'000;
 };
