@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/file_reference.h"
+#include "core/builtin/skin/head_maps.h"
 
 namespace dermis {
 
@@ -88,11 +89,24 @@ std::shared_ptr<const Image> freckles() {
 
 }  // namespace
 
-std::optional<std::string_view> builtinMapId(std::string_view reference) {
+Result<std::string_view> builtinMapId(std::string_view reference) {
   const auto name = builtinName(reference);
-  return name == kFreckles ? name : std::nullopt;
+  if (!name) return inputError("is not a map that this program carries");
+  if (name == kFreckles) return *name;
+  if (const auto request = parseHeadMap(*name); !request) return tl::unexpected(request.error());
+  return *name;
 }
 
-std::shared_ptr<const Image> builtinMap(std::string_view id) { return id == kFreckles ? freckles() : nullptr; }
+std::string builtinMapNames() {
+  std::string names = builtinReference(kFreckles);
+  for (const std::string_view name : headMapNames()) names += ", " + builtinReference(name);
+  return names;
+}
+
+std::shared_ptr<const Image> builtinMap(std::string_view id) {
+  if (id == kFreckles) return freckles();
+  const auto request = parseHeadMap(id);
+  return request ? headMap(*request) : nullptr;
+}
 
 }  // namespace dermis

@@ -168,7 +168,7 @@ Result<std::shared_ptr<const Image>> resolveTexture(const fs::path& path, const 
                                                     Warnings& warnings) {
   if (const std::string name = path.string(); namesNoFile(name)) {
     const auto id = builtinMapId(name);
-    if (!id) return inputError(name + " is not a map that this program carries; there is builtin:freckles");
+    if (!id) return inputError(name + " " + id.error().message + "; there are " + builtinMapNames());
     if (auto known = cached<Image>(options, name)) return known;
     auto made = builtinMap(*id);
     remember(options, name, made);

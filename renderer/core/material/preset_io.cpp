@@ -54,9 +54,11 @@ Json readTexture(const Json& json, const std::string& pointer, const fs::path& f
   fields.read("path", binding.path);
   if (json.is_object() && binding.path.empty())
     report.refuse(fields.pointerTo("path"), "is empty; leave out the whole map instead");
-  if (namesNoFile(binding.path) && !embeddedIndex(binding.path) && !builtinMapId(binding.path))
-    report.refuse(fields.pointerTo("path"),
-                  "must name a file, embedded:N with a number, or builtin:freckles, not " + inQuotes(binding.path));
+  if (namesNoFile(binding.path) && !embeddedIndex(binding.path))
+    if (const auto map = builtinMapId(binding.path); !map)
+      report.refuse(fields.pointerTo("path"), "must name a file, embedded:N with a number, or one of " +
+                                                  builtinMapNames() + "; " + inQuotes(binding.path) + " " +
+                                                  map.error().message);
   binding.path = absoluteReference(binding.path, folder);
   if (std::string space; fields.find("color_space") != nullptr) {
     fields.read("color_space", space);

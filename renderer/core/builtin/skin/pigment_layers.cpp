@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/builtin/skin/noise.h"
+#include "core/builtin/skin/skin_layers.h"
+
+namespace dermis::skin {
+namespace {
+
+using enum HeadRegion;
+
+/// Thin lines where the noise crosses 0, 1 on them; `width` in the noise's own unit.
+float lines(float value, float width) { return std::exp(-value * value / (width * width)); }
+
+/// Share of how old skin looks, from 25 to 85 years.
+float aged(const Look& look) { return glm::smoothstep(25.0F, 85.0F, look.age); }
+
+/// Melanin in spots, as a sum of optical depths over the skin's own.
+float freckles(const SkinPlace& at, const Look& look) {
+  // Where the sun falls on a face that looks ahead; none on lips and lids' margins.
+  const float sunned = 0.12F + 0.75F * at[Cheek] + 0.8F * at[Nose] + 0.35F * at[Forehead] + 0.45F * at[UnderEye] +
+                       0.25F * at[Chest] + 0.3F * at[Ear];
+  const float open = 1.0F - std::max({at[Lips], at[LidMargin], at[Caruncle], at[Scalp]});
+  const float patchy = 1.0F + 0.6F * fractal(at.p / 22.0F, 2, look.seed + 60);
+  const float amount = look.freckles * sunned * open * patchy;
+  const glm::vec3 wobble = 0.35F * glm::vec3(noise(at.p / 1.3F, look.seed + 61), noise(at.p / 1.3F, look.seed + 62),
+                                             noise(at.p / 1.3F, look.seed + 63));
+  return 1.3F * spots((at.p + wobble) / 1.8F, 1.1F * amount, 0.56F, 0.5F, look.seed + 64) +
+         1.7F * spots((at.p + 1.6F * wobble) / 3.3F, 0.65F * amount, 0.5F, 0.45F, look.seed + 65);
+}
+
+float moles(const SkinPlace& at, const Look& look) {
+  const float open = 1.0F - std::max({at[Lips], at[LidMargin], at[Caruncle]});
+  return open * 7.0F * spots(at.p / 34.0F, 0.2F, 0.035F, 0.25F, look.seed + 70);
+}
+
+float ageSpots(const SkinPlace& at, const Look& look) {
+  const float old = glm::smoothstep(45.0F, 85.0F, look.age);
+  if (old <= 0.0F) return 0.0F;
+  const glm::vec3 wobble = 2.0F * glm::vec3(noise(at.p / 4.0F, look.seed + 71), noise(at.p / 4.0F, look.seed + 72),
+                                            noise(at.p / 4.0F, look.seed + 73));
+  const float where = 0.3F + 0.5F * at[Forehead] + 0.5F * at[Cheek] + 0.5F * at[Scalp] + 0.4F * at[CrowsFeet];
+  return 0.9F * spots((at.p + wobble) / 13.0F, old * where * 0.6F, 0.3F, 0.4F, look.seed + 74);
+}
+
+/// Coverage by hairs: of the brows, short strokes that lean outwards and up; of the shaved scalp, a shade with grain.
+float hairs(const SkinPlace& at, const Look& look) {
+  float sum = 0.0F;
+  if (at[Brow] > 0.0F) {
+    const float side = at.p.x < 0.0F ? -1.0F : 1.0F;
+    const float lean = glm::mix(0.9F, 0.15F, glm::smoothstep(8.0F, 45.0F, std::abs(at.p.x)));
+    // Along the hairs the noise is drawn out six times.
+    const glm::vec2 along(side * std::cos(lean), std::sin(lean));
+    const glm::vec2 q(at.p);
+    const glm::vec3 drawn(glm::dot(q, along) / 4.2F, (q.y * along.x - q.x * along.y) / 0.7F, 0.0F);
+    const float strokes =
+        glm::smoothstep(-0.35F, 0.5F, noise(drawn, look.seed + 80) + 0.5F * noise(drawn * 2.1F, look.seed + 81));
+    sum += at[Brow] * (0.18F + 0.72F * strokes);
+  }
+  const float shaved = at[Scalp] * (1.0F - at[Ear]);
+  if (shaved > 0.0F) sum += shaved * (0.07F + 0.16F * std::max(noise(at.p / 0.9F, look.seed + 82), 0.0F));
+  return std::min(sum, 1.0F);
+}
+
+/// Veins near the surface, 0..1: at the temples, on the lids, on neck and chest.
+float veins(const SkinPlace& at, const Look& look) {
+  const float side = glm::smoothstep(46.0F, 60.0F, std::abs(at.p.x)) * glm::smoothstep(-8.0F, 12.0F, at.p.y) *
+                     (1.0F - at[Ear]) * (1.0F - 0.7F * at[Scalp]);
+  const float where = 0.8F * side + 0.7F * std::max(at[UpperLid], at[UnderEye]) + 0.5F * at[Neck] + 0.6F * at[Chest];
+  if (where <= 0.02F) return 0.0F;
+  const glm::vec3 bent =
+      at.p + 5.0F * glm::vec3(noise(at.p / 14.0F, look.seed + 90), noise(at.p / 14.0F, look.seed + 91),
+                              noise(at.p / 14.0F, look.seed + 92));
+  const float net = lines(noise(bent / 24.0F, look.seed + 93), 0.035F);
+  return where * net * glm::smoothstep(-0.3F, 0.4F, noise(at.p / 30.0F, look.seed + 94));
+}
+
+}  // namespace
+
+PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
+  const float old = aged(look);
+  const std::uint32_t s = look.seed;
+  PigmentLayers out;
+
+  // Melanin: where the sun falls and round the eyes more, on lips less; mottled at three sizes.
+  float melanin = 1.0F + 0.16F * at[Forehead] + 0.12F * at[Nose] + 0.3F * at[UpperLid] + 0.14F * at[LowerLid] +
+                  0.2F * at[UnderEye] - 0.16F * at[Neck] * glm::smoothstep(0.0F, 30.0F, at.p.z) + 0.1F * at[Chest];
+  const float mottle = 1.0F + 0.8F * old;
+  melanin *= std::exp(mottle * (0.14F * fractal(at.p / 16.0F, 3, s + 10) + 0.10F * fractal(at.p / 3.4F, 2, s + 20)));
+  melanin *= 1.0F + freckles(at, look) + ageSpots(at, look) + moles(at, look);
+  out.hair = hairs(at, look);
+  out.melanin = glm::mix(melanin, 0.45F * melanin, at[Lips]);
+  // The inner corner and the margins of the lids are mucous: no melanin to speak of.
+  out.melanin *= 1.0F - 0.7F * std::max(at[Caruncle], at[LidMargin]);
+
+  // Blood: full where the skin is thin or the vessels wide.
+  const float warm = 0.45F * at[Cheek] + 0.5F * at[NoseTip] + 0.2F * at[Nose] + 0.65F * at[Ear] + 0.35F * at[UpperLid] +
+                     0.3F * at[LowerLid] + 0.3F * at[Chin] + 0.4F * at[UnderEye] - 0.2F * at[Forehead] -
+                     0.1F * at[Neck];
+  const float flushed = look.flush * (1.7F * at[Cheek] + 1.4F * at[NoseTip] + 1.3F * at[Ear] + 0.5F * at[Chin] +
+                                      0.35F * at[Forehead] + 0.6F * at[Chest]);
+  const float blotched =
+      std::exp(0.22F * mottle * fractal(at.p / 11.0F, 3, s + 30) + 0.16F * fractal(at.p / 2.3F, 3, s + 40));
+  float blood = (1.0F + warm + flushed) * blotched;
+  // Widened capillaries beside the nose come with age.
+  const float capillaries = lines(noise(at.p / 2.6F + 0.4F * fractal(at.p / 1.1F, 2, s + 51), s + 50), 0.06F);
+  blood += 1.2F * old * capillaries * std::max(at[NoseTip], 0.7F * at[Cheek]);
+  const float vein = veins(at, look);
+  blood += 0.35F * vein;
+  // The red of the lips, in streaks along their furrows.
+  const float streak = 1.0F + 0.18F * noise(glm::vec3(at.p.x / 0.8F, at.p.y / 4.0F, 0.0F), s + 52);
+  blood = glm::mix(blood, 3.4F * streak * blotched * (1.0F - 0.25F * old), at[Lips]);
+  blood = glm::mix(blood, 6.0F, std::max(at[Caruncle], 0.6F * at[LidMargin]));
+  out.blood = blood;
+
+  out.oxygenation = 0.75F - 0.4F * vein - 0.1F * at[UnderEye] - 0.1F * at[UpperLid] + 0.12F * at[Lips];
+  return out;
+}
+
+float skinRoughness(const SkinPlace& at, const Look& look) {
+  // Sebum makes the middle of the face glossier (Weyrich et al. 2006, "Analysis of Human Faces using a
+  // Measurement-Based Skin Reflectance Model": nose and forehead have the narrowest lobes, cheeks and chin wider ones).
+  float roughness = 0.53F - 0.05F * at[Forehead] - 0.07F * at[Nose] - 0.04F * at[Chin] - 0.02F * at[TZone] -
+                    0.03F * at[NoseTip] - 0.03F * at[UpperLid] + 0.03F * at[Neck] - 0.04F * at[Scalp] +
+                    0.05F * aged(look);
+  roughness += 0.03F * fractal(at.p / 6.0F, 2, look.seed + 100) + 0.02F * noise(at.p / 1.4F, look.seed + 101);
+  roughness = glm::mix(roughness, 0.36F + 0.05F * noise(at.p / 1.2F, look.seed + 102), at[Lips]);
+  roughness = glm::mix(roughness, 0.22F, std::max(at[LidMargin], at[Caruncle]));
+  return std::clamp(roughness, 0.15F, 0.8F);
+}
+
+}  // namespace dermis::skin
