@@ -87,9 +87,10 @@ class Painter {
   /// No surface returns all the light that it gets.
   [[nodiscard]] glm::vec3 albedo(const SkinPlace& place) const {
     constexpr float kMost = 0.97F;
-    constexpr glm::vec3 kHair(0.058F, 0.036F, 0.023F);  // dark brown
+    const glm::vec3 hair = glm::mix(glm::vec3(0.058F, 0.036F, 0.023F), glm::vec3(0.42F),
+                                    0.8F * glm::smoothstep(45.0F, 85.0F, m_look.age));  // dark brown, then grey
     const PigmentLayers layers = pigmentLayers(place, m_look);
-    return glm::mix(glm::min(m_correction * uncorrected(layers, m_look), glm::vec3(kMost)), kHair, layers.hair);
+    return glm::mix(glm::min(m_correction * uncorrected(layers, m_look), glm::vec3(kMost)), hair, layers.hair);
   }
 
  private:

@@ -1,55 +1,49 @@
 #include "core/builtin/skin/noise.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
 namespace dermis::skin {
 namespace {
 
-/// One of twelve directions from a cube's middle to its edges.
-float slope(std::uint32_t hash, const glm::vec3& d) {
-  switch (hash % 12U) {
-    case 0:
-      return d.x + d.y;
-    case 1:
-      return d.x - d.y;
-    case 2:
-      return -d.x + d.y;
-    case 3:
-      return -d.x - d.y;
-    case 4:
-      return d.x + d.z;
-    case 5:
-      return d.x - d.z;
-    case 6:
-      return -d.x + d.z;
-    case 7:
-      return -d.x - d.z;
-    case 8:
-      return d.y + d.z;
-    case 9:
-      return d.y - d.z;
-    case 10:
-      return -d.y + d.z;
-    default:
-      return -d.y - d.z;
-  }
+/// Wellons 2018, "Prospecting for Hash Functions": lowbias32.
+std::uint32_t mixed(std::uint32_t h) {
+  h ^= h >> 16U;
+  h *= 0x7FEB352DU;
+  h ^= h >> 15U;
+  h *= 0x846CA68BU;
+  return h ^ h >> 16U;
 }
+
+/// A place's share of the hash along each axis: odd numbers far from each other's small multiples.
+constexpr glm::uvec3 kStrides(0x9E3779B1U, 0x85EBCA77U, 0xC2B2AE3DU);
+std::uint32_t seeded(std::uint32_t seed) { return mixed(seed * 0x27D4EB2FU + 0x165667B1U); }
+
+/// Directions from a cube's middle to its edges; four stand twice (Perlin 2002).
+constexpr std::array<glm::vec3, 16> kSlopes = {{{1, 1, 0},
+                                                {-1, 1, 0},
+                                                {1, -1, 0},
+                                                {-1, -1, 0},
+                                                {1, 0, 1},
+                                                {-1, 0, 1},
+                                                {1, 0, -1},
+                                                {-1, 0, -1},
+                                                {0, 1, 1},
+                                                {0, -1, 1},
+                                                {0, 1, -1},
+                                                {0, -1, -1},
+                                                {1, 1, 0},
+                                                {-1, 1, 0},
+                                                {0, -1, 1},
+                                                {0, -1, -1}}};
 
 }  // namespace
 
 std::uint32_t latticeHash(const glm::ivec3& cell, std::uint32_t seed) {
-  // Jarzynski & Olano 2020, "Hash Functions for GPU Rendering": pcg3d, with the seed in the first step.
-  glm::uvec3 v = glm::uvec3(cell) * 1664525U + 1013904223U + seed;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  v ^= v >> 16U;
-  v.x += v.y * v.z;
-  v.y += v.z * v.x;
-  v.z += v.x * v.y;
-  return v.x ^ v.z;
+  const glm::uvec3 share = glm::uvec3(cell) * kStrides;
+  return mixed(share.x + share.y + share.z + seeded(seed));
 }
 
 float unit(std::uint32_t hash, unsigned shift) {
@@ -59,13 +53,18 @@ float unit(std::uint32_t hash, unsigned shift) {
 float noise(const glm::vec3& p, std::uint32_t seed) {
   const glm::vec3 base = glm::floor(p);
   const glm::vec3 f = p - base;
-  const glm::ivec3 cell(base);
+  const glm::uvec3 share = glm::uvec3(glm::ivec3(base)) * kStrides;
+  const std::uint32_t origin = share.x + share.y + share.z + seeded(seed);
+  std::array<float, 8> corner{};
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const glm::uvec3 step(i & 1U, i >> 1U & 1U, i >> 2U);
+    const std::uint32_t hash = mixed(origin + step.x * kStrides.x + step.y * kStrides.y + step.z * kStrides.z);
+    corner[i] = glm::dot(kSlopes[hash & 15U], f - glm::vec3(step));
+  }
   const glm::vec3 t = f * f * f * (f * (f * 6.0F - 15.0F) + 10.0F);
-  const auto corner = [&](int x, int y, int z) {
-    return slope(latticeHash(cell + glm::ivec3(x, y, z), seed), f - glm::vec3(x, y, z));
-  };
-  const auto edge = [&](int y, int z) { return glm::mix(corner(0, y, z), corner(1, y, z), t.x); };
-  return glm::mix(glm::mix(edge(0, 0), edge(1, 0), t.y), glm::mix(edge(0, 1), edge(1, 1), t.y), t.z);
+  const float low = glm::mix(glm::mix(corner[0], corner[1], t.x), glm::mix(corner[2], corner[3], t.x), t.y);
+  const float high = glm::mix(glm::mix(corner[4], corner[5], t.x), glm::mix(corner[6], corner[7], t.x), t.y);
+  return glm::mix(low, high, t.z);
 }
 
 float fractal(const glm::vec3& p, int octaves, std::uint32_t seed) {
@@ -81,19 +80,25 @@ float fractal(const glm::vec3& p, int octaves, std::uint32_t seed) {
 
 Cells cells(const glm::vec3& p, std::uint32_t seed) {
   const glm::ivec3 cell(glm::floor(p));
+  const glm::vec3 f = p - glm::vec3(cell);
   Cells nearest{9.0F, 9.0F, 0U};
+  const auto look = [&](const glm::ivec3& step) {
+    // No feature of that cell is nearer than its wall.
+    const glm::vec3 wall = glm::max(glm::max(glm::vec3(step) - f, f - glm::vec3(step) - 1.0F), glm::vec3(0.0F));
+    if (glm::dot(wall, wall) >= nearest.second) return;
+    const std::uint32_t hash = latticeHash(cell + step, seed);
+    const glm::vec3 off = glm::vec3(step) + glm::vec3(unit(hash), unit(hash, 11), unit(hash, 21)) - f;
+    const float distance = glm::dot(off, off);
+    if (distance < nearest.first)
+      nearest = {distance, nearest.first, hash};
+    else
+      nearest.second = std::min(nearest.second, distance);
+  };
+  look(glm::ivec3(0));
   for (int z = -1; z <= 1; ++z)
     for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x) {
-        const glm::ivec3 at = cell + glm::ivec3(x, y, z);
-        const std::uint32_t hash = latticeHash(at, seed);
-        const glm::vec3 feature = glm::vec3(at) + glm::vec3(unit(hash), unit(hash, 11), unit(hash, 21));
-        const float distance = glm::dot(feature - p, feature - p);
-        if (distance < nearest.first)
-          nearest = {distance, nearest.first, hash};
-        else
-          nearest.second = std::min(nearest.second, distance);
-      }
+      for (int x = -1; x <= 1; ++x)
+        if (x != 0 || y != 0 || z != 0) look({x, y, z});
   return {std::sqrt(nearest.first), std::sqrt(nearest.second), nearest.hash};
 }
 

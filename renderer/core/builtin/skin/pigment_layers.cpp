@@ -21,6 +21,7 @@ float freckles(const SkinPlace& at, const Look& look) {
   const float sunned = 0.12F + 0.75F * at[Cheek] + 0.8F * at[Nose] + 0.35F * at[Forehead] + 0.45F * at[UnderEye] +
                        0.25F * at[Chest] + 0.3F * at[Ear];
   const float open = 1.0F - std::max({at[Lips], at[LidMargin], at[Caruncle], at[Scalp]});
+  if (look.freckles * sunned * open < 0.005F) return 0.0F;
   const float patchy = 1.0F + 0.6F * fractal(at.p / 22.0F, 2, look.seed + 60);
   const float amount = look.freckles * sunned * open * patchy;
   const glm::vec3 wobble = 0.35F * glm::vec3(noise(at.p / 1.3F, look.seed + 61), noise(at.p / 1.3F, look.seed + 62),
@@ -103,13 +104,16 @@ PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
       std::exp(0.22F * mottle * fractal(at.p / 11.0F, 3, s + 30) + 0.16F * fractal(at.p / 2.3F, 3, s + 40));
   float blood = (1.0F + warm + flushed) * blotched;
   // Widened capillaries beside the nose come with age.
-  const float capillaries = lines(noise(at.p / 2.6F + 0.4F * fractal(at.p / 1.1F, 2, s + 51), s + 50), 0.06F);
-  blood += 1.2F * old * capillaries * std::max(at[NoseTip], 0.7F * at[Cheek]);
+  const float widened = 1.2F * old * std::max(at[NoseTip], 0.7F * at[Cheek]);
+  if (widened > 0.01F)
+    blood += widened * lines(noise(at.p / 2.6F + 0.4F * fractal(at.p / 1.1F, 2, s + 51), s + 50), 0.06F);
   const float vein = veins(at, look);
   blood += 0.35F * vein;
   // The red of the lips, in streaks along their furrows.
-  const float streak = 1.0F + 0.18F * noise(glm::vec3(at.p.x / 0.8F, at.p.y / 4.0F, 0.0F), s + 52);
-  blood = glm::mix(blood, 3.4F * streak * blotched * (1.0F - 0.25F * old), at[Lips]);
+  if (at[Lips] > 0.0F) {
+    const float streak = 1.0F + 0.18F * noise(glm::vec3(at.p.x / 0.8F, at.p.y / 4.0F, 0.0F), s + 52);
+    blood = glm::mix(blood, 3.4F * streak * blotched * (1.0F - 0.25F * old), at[Lips]);
+  }
   blood = glm::mix(blood, 6.0F, std::max(at[Caruncle], 0.6F * at[LidMargin]));
   out.blood = blood;
 
@@ -124,7 +128,7 @@ float skinRoughness(const SkinPlace& at, const Look& look) {
                     0.03F * at[NoseTip] - 0.03F * at[UpperLid] + 0.03F * at[Neck] - 0.04F * at[Scalp] +
                     0.05F * aged(look);
   roughness += 0.03F * fractal(at.p / 6.0F, 2, look.seed + 100) + 0.02F * noise(at.p / 1.4F, look.seed + 101);
-  roughness = glm::mix(roughness, 0.36F + 0.05F * noise(at.p / 1.2F, look.seed + 102), at[Lips]);
+  if (at[Lips] > 0.0F) roughness = glm::mix(roughness, 0.36F + 0.05F * noise(at.p / 1.2F, look.seed + 102), at[Lips]);
   roughness = glm::mix(roughness, 0.22F, std::max(at[LidMargin], at[Caruncle]));
   return std::clamp(roughness, 0.15F, 0.8F);
 }

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "core/builtin/skin/noise.h"
 #include "core/builtin/skin/skin_layers.h"
@@ -69,12 +71,12 @@ float forehead(const SkinPlace& at, const HeadRegions& curves, const Look& look)
     const float row = std::round((lifted - 36.0F) / kSpacing);
     const float off = lifted - 36.0F - kSpacing * row;
     const float broken = glm::smoothstep(-0.35F, 0.25F, noise({at.p.x / 22.0F, 7.3F * row, 0.5F}, look.seed + 141));
-    height += (0.015F + 0.22F * old) * at[Forehead] * broken * fold(off, 0.9F);
+    height += (0.015F + 0.4F * old) * at[Forehead] * broken * fold(off, 0.9F + 0.4F * old);
   }
   // The two upright lines between the brows.
   const float between = bell(at.p.y - 16.0F, 11.0F) * glm::smoothstep(60.0F, 85.0F, at.p.z);
   if (between > 0.02F)
-    height += 0.2F * old * between * fold(x - 7.5F - 1.5F * noise(at.p / 9.0F, look.seed + 142), 0.9F);
+    height += 0.4F * old * between * fold(x - 7.5F - 1.5F * noise(at.p / 9.0F, look.seed + 142), 1.2F);
   return height;
 }
 
@@ -92,7 +94,8 @@ float eyes(const SkinPlace& at, const Look& look) {
     const float off = (angle - kApart * ray) * reach;
     const float broken =
         glm::smoothstep(-0.4F, 0.2F, noise({reach / 9.0F, 5.1F * ray, at.p.x < 0.0F ? 0.5F : 9.5F}, look.seed + 151));
-    height += (0.012F + 0.2F * old) * at[CrowsFeet] * broken * glm::smoothstep(3.0F, 8.0F, reach) * fold(off, 0.7F);
+    height += (0.012F + 0.38F * old) * at[CrowsFeet] * broken * glm::smoothstep(3.0F, 8.0F, reach) *
+              fold(off, 0.7F + 0.4F * old);
   }
   if (at[UnderEye] > 0.02F) {
     // Fine lines along the lower lid.
@@ -101,9 +104,35 @@ float eyes(const SkinPlace& at, const Look& look) {
     constexpr float kSpacing = 2.1F;
     const float off = rings - kSpacing * std::round(rings / kSpacing);
     const float broken = glm::smoothstep(-0.3F, 0.3F, noise(at.p / 6.0F, look.seed + 153));
-    height += (0.008F + 0.07F * old) * at[UnderEye] * broken * fold(off, 0.45F);
+    height += (0.008F + 0.14F * old) * at[UnderEye] * broken * fold(off, 0.45F + 0.2F * old);
   }
   return height;
+}
+
+/// Distance in front view to a line through some points, and how far along it from 0 to 1.
+glm::vec2 toLine(const glm::vec2& p, std::span<const glm::vec2> line) {
+  glm::vec2 best(1e6F, 0.0F);
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const glm::vec2 step = line[i + 1] - line[i];
+    const float along = std::clamp(glm::dot(p - line[i], step) / glm::dot(step, step), 0.0F, 1.0F);
+    const float distance = glm::distance(p, line[i] + along * step);
+    if (distance < best.x) best = {distance, (static_cast<float>(i) + along) / static_cast<float>(line.size() - 1)};
+  }
+  return best;
+}
+
+/// The folds from the nose's wings round the mouth, and from its corners down.
+float mouthFolds(const SkinPlace& at, const Look& look) {
+  const float old = glm::smoothstep(28.0F, 80.0F, look.age);
+  if (old <= 0.0F || at.p.z < 60.0F || at.p.y > -25.0F || at.p.y < -105.0F) return 0.0F;
+  constexpr std::array<glm::vec2, 5> kNasolabial = {{{17.5F, -36}, {22, -43}, {28, -53}, {33, -63}, {35.5F, -72}}};
+  constexpr std::array<glm::vec2, 3> kMarionette = {{{28.5F, -71}, {30, -79}, {29.5F, -88}}};
+  const glm::vec2 p(std::abs(at.p.x) + 0.9F * noise(at.p / 9.0F, look.seed + 170), at.p.y);
+  const glm::vec2 upper = toLine(p, kNasolabial), lower = toLine(p, kMarionette);
+  const auto ends = [](float along) {
+    return glm::smoothstep(0.0F, 0.15F, along) * (1.0F - glm::smoothstep(0.6F, 1.0F, along));
+  };
+  return old * (0.5F * ends(upper.y) * fold(upper.x, 1.7F) + 0.28F * ends(lower.y) * fold(lower.x, 1.4F));
 }
 
 float neck(const SkinPlace& at, const Look& look) {
@@ -120,7 +149,7 @@ float neck(const SkinPlace& at, const Look& look) {
 float reliefHeight(const SkinPlace& at, const HeadRegions& curves, const Look& look, float texel) {
   if (at[Hidden] >= 1.0F) return 0.0F;
   const float height = pores(at, look, texel) + net(at, look, texel) + lips(at, curves, look, texel) +
-                       forehead(at, curves, look) + eyes(at, look) + neck(at, look);
+                       forehead(at, curves, look) + eyes(at, look) + mouthFolds(at, look) + neck(at, look);
   return height * (1.0F - at[Hidden]) * (1.0F - 0.8F * std::max(at[LidMargin], at[Caruncle]));
 }
 
