@@ -130,11 +130,15 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     uploadFrameBlock(frame, statistics);
     resources.bindLight();
     clear(frame);
+    const bool deferred = request.moving && m_software && wanted == kBeautyOnly && deferringPays(frame) &&
+                          m_targets.prepareSurfaces().has_value();
+    if (deferred) {
+      const auto timed = m_timer.pass("geometry");
+      geometryPass(frame);
+    }
     {
       const auto timed = m_timer.pass("surface");
-      const bool deferred = request.moving && m_software && wanted == kBeautyOnly && deferringPays(frame) &&
-                            m_targets.prepareSurfaces().has_value();
-      (deferred ? surfacePassDeferred : surfacePass)(frame);
+      (deferred ? shadingPass : surfacePass)(frame);
     }
     m_noVertices.bind();
     if (m_targets.split()) {

@@ -33,6 +33,7 @@ class Frame {
   [[nodiscard]] Image readView(Aov aov, const ResolvedScene* scene, const ViewSettings& view, PixelType type);
   [[nodiscard]] std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) const;
   [[nodiscard]] std::vector<PassTime> passTimes();
+  void timePassesAlone() { m_timer.timeAlone(); }
   [[nodiscard]] std::uint64_t displayProgramsBuilt() const { return m_display.built(); }
 
  private:

@@ -48,7 +48,9 @@ class GlRenderer final : public Renderer {
         m_hasWindow(options.platform == RendererOptions().platform),
         m_debug(options.failOnGlError),
         m_resources(options, m_info.software),
-        m_frame(m_shaders, m_messages, m_info.software) {}
+        m_frame(m_shaders, m_messages, m_info.software) {
+    if (options.timePassesAlone) m_frame.timePassesAlone();
+  }
 
   void setScene(std::shared_ptr<const ResolvedScene> scene) override {
     if (m_resources.setScene(std::move(scene), m_jobs)) ++m_sceneRevision;

@@ -49,6 +49,7 @@ struct RendererOptions {
   std::string platform = "widget";
   int maximumTextureSize = 0;    ///< larger maps are averaged down, with a message; 0: what the driver takes
   std::optional<bool> software;  ///< tests: overrides what the driver's name says, and with it how edges are smoothed
+  bool timePassesAlone = false;  ///< benchmarks: each pass is waited for, and its CPU time is that of all threads
 };
 
 /// One frame to draw.
@@ -76,7 +77,7 @@ struct RenderStatistics {
   int samples = 0, targetSamples = 0;  ///< of the picture shown last
 };
 
-/// GPU and CPU milliseconds of one pass of the last frame.
+/// GPU and CPU milliseconds of one pass of the last frame; CPU is the time to submit it unless passes are timed alone.
 struct PassTime {
   std::string name;
   double gpuMs = 0.0, cpuMs = 0.0;

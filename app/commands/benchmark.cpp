@@ -93,7 +93,7 @@ Outcome<int> benchmark(const BenchmarkOptions& options) {
   if (!*look) return tl::unexpected(look->error());
 
   std::optional<Outcome<HeadlessRenderer>> headless;
-  const Cost start = measured([&] { headless.emplace(HeadlessRenderer::create(false)); });
+  const Cost start = measured([&] { headless.emplace(HeadlessRenderer::create(true)); });
   if (!*headless) return tl::unexpected(headless->error());
   Renderer& renderer = ***headless;
   const GlInfo& gl = renderer.glInfo();

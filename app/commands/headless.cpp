@@ -2,13 +2,14 @@
 
 namespace dermis::cli {
 
-Outcome<HeadlessRenderer> HeadlessRenderer::create(bool cached) {
+Outcome<HeadlessRenderer> HeadlessRenderer::create(bool forBenchmark) {
   HeadlessRenderer headless;
   auto context = gl::HeadlessContext::create();
   if (!context) return failure(context.error());
   headless.m_context = std::move(*context);
   RendererOptions options;
-  if (cached) options.cacheFolder = cacheFolder();
+  if (!forBenchmark) options.cacheFolder = cacheFolder();
+  options.timePassesAlone = forBenchmark;
   options.bakeMeshes = true;
   options.platform = headless.m_context->platform();
   auto renderer = Renderer::create(options);

@@ -1,5 +1,7 @@
 #include "gl/gpu_timer.h"
 
+#include <chrono>
+#include <ctime>
 #include <utility>
 
 namespace dermis::gl {
@@ -8,7 +10,19 @@ namespace {
 constexpr std::size_t kFramesInFlight = 4;
 }
 
-GpuTimer::Scope::Scope(GpuTimer& timer, std::string name) : m_timer(timer), m_start(std::chrono::steady_clock::now()) {
+double GpuTimer::nowMs() const {
+  if (!m_alone) {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(now).count();
+  }
+  glFinish();
+  // std::clock() counts all threads of the process, as this does, but in microseconds that may wrap.
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+GpuTimer::Scope::Scope(GpuTimer& timer, std::string name) : m_timer(timer), m_startMs(timer.nowMs()) {
   if (timer.m_frames.empty()) timer.m_frames.emplace_back();
   Entry entry;
   entry.times.name = std::move(name);
@@ -24,8 +38,7 @@ GpuTimer::Scope::Scope(GpuTimer& timer, std::string name) : m_timer(timer), m_st
 
 GpuTimer::Scope::~Scope() {
   glEndQuery(GL_TIME_ELAPSED);
-  m_timer.m_frames.back().back().times.cpuMs =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - m_start).count();
+  m_timer.m_frames.back().back().times.cpuMs = m_timer.nowMs() - m_startMs;
 }
 
 bool GpuTimer::collect(Frame& frame, bool wait) {

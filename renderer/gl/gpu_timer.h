@@ -1,7 +1,6 @@
 // GPU and CPU time of each pass of a frame, without waiting for the GPU.
 #pragma once
 
-#include <chrono>
 #include <deque>
 #include <string>
 #include <vector>
@@ -30,9 +29,12 @@ class GpuTimer {
 
    private:
     GpuTimer& m_timer;
-    std::chrono::steady_clock::time_point m_start;
+    double m_startMs;
   };
 
+  /// From now on each pass waits for what came before and for its own end, and its cpuMs is what all threads of the
+  /// process spent on it: on software GL, what it costs.
+  void timeAlone() { m_alone = true; }
   void beginFrame();
   [[nodiscard]] Scope pass(std::string name) { return {*this, std::move(name)}; }
   /// Of the latest frame that is complete.
@@ -47,7 +49,9 @@ class GpuTimer {
   };
   using Frame = std::vector<Entry>;
   bool collect(Frame& frame, bool wait);
+  [[nodiscard]] double nowMs() const;
 
+  bool m_alone = false;
   std::deque<Frame> m_frames;  ///< in flight, the current one last
   std::vector<Query> m_spare;
   std::vector<TimedPass> m_latest;

@@ -122,11 +122,10 @@ bool deferringPays(const FrameContext& frame) {
   return opaque > 0 && opaque <= kMostParts && model.indices.size() / 3 >= kLeastTriangles;
 }
 
-void surfacePassDeferred(const FrameContext& frame) {
+void geometryPass(const FrameContext& frame) {
   const auto& parts = frame.scene.model->parts;
   const auto& slots = frame.resources.slots();
-
-  // What is where. Zero in the tangent's image says that nothing is.
+  // Zero in the tangent's image says that nothing is there.
   const std::array<GLfloat, 4> nothing = {0.0F, 0.0F, 0.0F, 0.0F};
   glClearNamedFramebufferfv(frame.targets.surfaces().id(), GL_COLOR, 1, nothing.data());
   frame.targets.surfaces().bind();
@@ -141,8 +140,10 @@ void surfacePassDeferred(const FrameContext& frame) {
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(parts[i].slot));
     drawTriangles(frame, *program, i);
   }
+}
 
-  // Each pixel's light, once.
+void shadingPass(const FrameContext& frame) {
+  const auto& slots = frame.resources.slots();
   const PixelArea area = screenArea(frame.camera, frame.resources.bounds(), frame.request.size);
   const glm::ivec2 extent = area.upper - area.lower;
   frame.targets.shading().bind();
@@ -151,7 +152,7 @@ void surfacePassDeferred(const FrameContext& frame) {
   glDisable(GL_CULL_FACE);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
-  for (const ModelPart& part : parts) {
+  for (const ModelPart& part : frame.scene.model->parts) {
     const SlotResources& slot = slots[part.slot];
     if (slot.kind != DrawKind::Opaque) continue;
     const gl::Program* program =

@@ -22,7 +22,8 @@ void surfacePass(const FrameContext& frame);
 
 /// The same in two steps, for moving pictures on software GL: geometry first, then each pixel is shaded once. Maps are
 /// a touch blurred along silhouettes and seams, where neighbouring pixels are no neighbours on the surface.
-void surfacePassDeferred(const FrameContext& frame);
+void geometryPass(const FrameContext& frame);
+void shadingPass(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const FrameContext& frame);
 [[nodiscard]] gl::ProgramSources geometryProgram(bool displaced);
