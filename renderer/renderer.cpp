@@ -146,7 +146,7 @@ class GlRenderer final : public Renderer {
         need.push_back(displacedCasterProgram());
       }
       if (m_info.software && m_hasWindow && !withAovs && !blended) {
-        moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps));
+        moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps, scene.scene.lights));
         if (mayDisplace) moving.push_back(geometryProgram(true));
       }
     }

@@ -12,8 +12,8 @@ namespace dermis::cli {
 /// Owns an OpenGL context without a display and the renderer in it; the renderer goes first.
 class HeadlessRenderer {
  public:
-  /// `forBenchmark`: environments are baked anew and not kept, and passes are timed one by one. Fails with 1 where there
-  /// is no OpenGL 4.5.
+  /// `forBenchmark`: environments are baked anew and not kept, and passes are timed one by one. Fails with 1 where
+  /// there is no OpenGL 4.5.
   [[nodiscard]] static Outcome<HeadlessRenderer> create(bool forBenchmark = false);
 
   [[nodiscard]] Renderer& operator*() const { return *m_renderer; }

@@ -44,15 +44,14 @@ SceneImage sceneImageOf(Aov aov) {
   return SceneImage::Beauty;
 }
 
-gl::Framebuffer RenderTargets::framebufferOf(std::span<const SceneImage> images, const char* label,
-                                             bool withDepth) const {
+gl::Framebuffer RenderTargets::framebufferOf(std::span<const SceneImage> images, const char* label) const {
   gl::Framebuffer framebuffer = gl::Framebuffer::create(label);
   std::vector<GLenum> attachments;
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (has(images[i])) framebuffer.attachColour(static_cast<GLuint>(i), image(images[i]));
     attachments.push_back(has(images[i]) ? GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i) : GLenum{GL_NONE});
   }
-  if (withDepth) framebuffer.attachDepth(m_depth);
+  framebuffer.attachDepth(m_depth);
   framebuffer.drawTo(attachments);
   return framebuffer;
 }
@@ -78,15 +77,13 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
     }
     m_depth =
         gl::Texture::create({.format = GL_DEPTH_COMPONENT32F, .width = size.x, .height = size.y, .label = "depth"});
-    m_scene = framebufferOf(kSurfaceImages, "scene", true);
-    m_radiances = framebufferOf(kRadianceImages, "radiances", true);
+    m_scene = framebufferOf(kSurfaceImages, "scene");
+    m_radiances = framebufferOf(kRadianceImages, "radiances");
     for (const gl::Framebuffer* framebuffer : {&m_scene, &m_radiances})
       if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
     if (split()) {
-      m_shading = framebufferOf(kSurfaceImages, "shading", false);
-      m_composed = framebufferOf(kComposedImages, "composed", true);
-      for (const gl::Framebuffer* framebuffer : {&m_shading, &m_composed})
-        if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
+      m_composed = framebufferOf(kComposedImages, "composed");
+      if (auto complete = m_composed.check(); !complete) return tl::unexpected(complete.error());
     }
     if (!multisampled) return hadContent;
   }
@@ -140,9 +137,7 @@ Result<void> RenderTargets::prepareSurfaces() {
   m_surfaces.attachColour(4, m_bounce);
   m_surfaces.attachDepth(m_depth);
   m_surfaces.drawTo(5);
-  if (!m_shading) m_shading = framebufferOf(kSurfaceImages, "shading", false);
-  if (auto complete = m_surfaces.check(); !complete) return complete;
-  return m_shading.check();
+  return m_surfaces.check();
 }
 
 void RenderTargets::bindSurfaces() const {

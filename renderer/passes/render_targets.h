@@ -46,7 +46,7 @@ class RenderTargets {
 
   /// Makes what the first of two diffusion passes writes. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSpread();
-  /// Makes what surfacePassDeferred draws into first. Errors: Runtime.
+  /// Makes what geometryPass draws into. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSurfaces();
 
   [[nodiscard]] glm::ivec2 size() const { return m_size; }
@@ -58,9 +58,8 @@ class RenderTargets {
   [[nodiscard]] const gl::Framebuffer& scene() const { return m_scene; }
   [[nodiscard]] const gl::Framebuffer& multisampled() const { return m_multisampled; }
   [[nodiscard]] const gl::Framebuffer& surfaces() const { return m_surfaces; }  ///< with the scene's depth
-  /// What the surface pass writes, without depth, which it reads; and what the subsurface pass makes of it (beauty,
-  /// diffuse, scattered by location), with the depth that both its test and its shaders read and nothing writes.
-  [[nodiscard]] const gl::Framebuffer& shading() const { return m_shading; }
+  /// What the subsurface pass makes of what the surface pass wrote (beauty, diffuse, scattered by location), with the
+  /// depth that both its test and its shaders read and nothing writes.
   [[nodiscard]] const gl::Framebuffer& composed() const { return m_composed; }
   [[nodiscard]] const gl::Framebuffer& spreading() const { return m_spreading; }
   [[nodiscard]] const gl::Texture& spread() const { return m_spread; }
@@ -82,8 +81,8 @@ class RenderTargets {
   void drawToBeauty() const;
 
  private:
-  [[nodiscard]] gl::Framebuffer framebufferOf(std::span<const SceneImage> images, const char* label,
-                                              bool withDepth) const;
+  /// With depth.
+  [[nodiscard]] gl::Framebuffer framebufferOf(std::span<const SceneImage> images, const char* label) const;
 
   glm::ivec2 m_size{0};
   SceneImages m_images = 0;
@@ -93,7 +92,7 @@ class RenderTargets {
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
   gl::Texture m_surface, m_tangent, m_sky, m_far, m_bounce, m_spread;
-  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_shading, m_composed, m_radiances, m_spreading;
+  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_composed, m_radiances, m_spreading;
 };
 
 }  // namespace dermis

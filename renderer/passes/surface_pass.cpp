@@ -102,10 +102,14 @@ gl::ProgramSources geometryProgram(bool displaced) {
   return displaced ? tessellated(std::move(sources)) : sources;
 }
 
-gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs, std::optional<int> constantMaps) {
+gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs, std::optional<int> constantMaps,
+                                   std::span<const Light> lights) {
   gl::ProgramSources sources = surfaceProgram(model, outputs, constantMaps);
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
+  constexpr std::ptrdiff_t kMostUnrolled = 6;  // as in lights.glsl
+  const auto count = std::ranges::count_if(lights, [](const Light& light) { return light.enabled; });
+  if (count <= kMostUnrolled) sources.defines.push_back("DERMIS_LIGHT_COUNT " + std::to_string(count));
   return sources;
 }
 
@@ -146,25 +150,29 @@ void shadingPass(const FrameContext& frame) {
   const auto& slots = frame.resources.slots();
   const PixelArea area = screenArea(frame.camera, frame.resources.bounds(), frame.request.size);
   const glm::ivec2 extent = area.upper - area.lower;
-  frame.targets.shading().bind();
+  frame.targets.scene().bind();
   frame.targets.bindSurfaces();
-  glDisable(GL_DEPTH_TEST);
+  // Only where the model is: the triangle lies on the far plane. The depth is read by the shader too, and not written.
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
   for (const ModelPart& part : frame.scene.model->parts) {
     const SlotResources& slot = slots[part.slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program =
-        frame.useProgram(deferredProgram(slot.model, outputsOf(frame, false), slot.constantMaps));
+    const gl::Program* program = frame.useProgram(
+        deferredProgram(slot.model, outputsOf(frame, false), slot.constantMaps, frame.scene.scene.lights));
     if (program == nullptr) continue;
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(part.slot));
     frame.resources.bindSlot(slot);
     gl::drawFullScreen();
   }
   glDisable(GL_SCISSOR_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
   frame.resources.unbindSamplers();
-  frame.targets.scene().bind();
 }
 
 bool hasTransparentParts(const SceneResources& resources) {

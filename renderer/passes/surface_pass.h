@@ -1,6 +1,8 @@
 // The model: opaque parts first, blended ones after the sky.
 #pragma once
 
+#include <span>
+
 #include "passes/frame_context.h"
 
 namespace dermis {
@@ -27,8 +29,9 @@ void shadingPass(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const FrameContext& frame);
 [[nodiscard]] gl::ProgramSources geometryProgram(bool displaced);
+/// With few lamps their number is in the program.
 [[nodiscard]] gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs,
-                                                 std::optional<int> constantMaps);
+                                                 std::optional<int> constantMaps, std::span<const Light> lights);
 
 /// Lenses and blended materials, premultiplied over what is there, far ones first. A blended part shows its back faces,
 /// then its front ones; its own triangles are not sorted further.

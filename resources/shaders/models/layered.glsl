@@ -134,20 +134,22 @@ vec3 layerSpecular(LayerPoint p, vec3 to_light, float n_dot_l, float widening) {
   return sum;
 }
 
+void addLamp(int number, Layer layer, LayerPoint p, vec3 position, vec3 vertex_normal, inout LayerLight sum) {
+  LightSample light = lightAt(number, position);
+  float n_dot_l = clamp(dot(p.normal, light.to_light), 0.0, 1.0);
+  if (n_dot_l > 0.0) {
+    vec3 received = light.irradiance * (n_dot_l * shadowAt(number, position, vertex_normal));
+    sum.specular += received * layerSpecular(p, light.to_light, n_dot_l, light.widening);
+    sum.body += received * bodyTransmittance(layer, n_dot_l);
+  }
+}
+
 // All lamps. `vertex_normal` is that of the side that is seen: shadows know the mesh, not its normal map.
 LayerLight layerLamps(Layer layer, LayerPoint p, vec3 position, vec3 vertex_normal) {
   LayerLight sum = LayerLight(vec3(0.0), vec3(0.0));
-  for (int i = 0; i < u_light_count.x; ++i) {
-    LightSample light = lightAt(i, position);
-    float n_dot_l = clamp(dot(p.normal, light.to_light), 0.0, 1.0);
-    // A loop of at most one round: unlike a branch, software GL leaves it out where no pixel nearby is lit.
-    int rounds = n_dot_l > 0.0 ? 1 : 0;
-    for (int k = 0; k < rounds; ++k) {
-      vec3 received = light.irradiance * (n_dot_l * shadowAt(i, position, vertex_normal));
-      sum.specular += received * layerSpecular(p, light.to_light, n_dot_l, light.widening);
-      sum.body += received * bodyTransmittance(layer, n_dot_l);
-    }
-  }
+#define ADD_LAMP(number) addLamp(number, layer, p, position, vertex_normal, sum);
+  EACH_LIGHT(ADD_LAMP)
+#undef ADD_LAMP
   sum.body *= kInversePi * p.body_in;
   return sum;
 }

@@ -17,42 +17,51 @@ float bodyThicknessMm(Surface s) {
   return s.baked_thickness_mm < 0.0 ? most : clamp(s.baked_thickness_mm, least, most);
 }
 
+// Light from the far side, and the least of the thicknesses it came through.
+struct BodyLight {
+  vec3 light;
+  float least_mm;
+};
+
+void lampThrough(int number, Layer layer, SlabScattering scattering, vec3 position, vec3 normal, bool from_shadow, float thickness_mm,
+                 inout BodyLight sum) {
+  LightSample light = lightAt(number, position);
+  float cosine = clamp(-dot(normal, light.to_light), 0.0, 1.0);
+  if (cosine <= 0.0) return;
+  float shrink = u_material.transmission_normal_scale, through_mm, lit = 1.0;
+  // A thickness that is known is asked for its shadow a little beyond the far side: thicknesses are averages.
+  float beyond = from_shadow ? 0.0 : 1.25 * thickness_mm + shrink;
+  float way = shadowThicknessMm(number, position - normal * (beyond / u_units.x), normal, from_shadow ? shrink : 0.0);
+  if (from_shadow) {
+    // The way through the body begins a little inside it. Through a slab it is as long as that is thick over the cosine; where the light only
+    // just doesn't graze, a body is no slab but round, and the way itself counts.
+    float slant = mix(1.0, cosine, smoothstep(0.3, 0.7, cosine));
+    through_mm = min(way * slant + shrink, u_material.transmission_thickness_max_mm);
+    sum.least_mm = min(sum.least_mm, through_mm);
+  } else {
+    // Where that place still lies a little inside the body, the slab is thicker by what is left of the way; what lies farther off is another
+    // part of the body, and casts its shadow.
+    float rest = way >= kInside ? 0.0 : way;  // no way for a light without shadows
+    lit = 1.0 - smoothstep(thickness_mm + 2.0, 2.0 * (thickness_mm + 2.0), rest);
+    through_mm = thickness_mm + rest * cosine;
+  }
+  sum.light += light.irradiance * cosine * lit * bodyTransmittance(layer, cosine) * slabShares(scattering, through_mm).transmitted;
+}
+
 // Light of the lamps that comes through the body, as irradiance/π: times body_out it is radiance. `normal` is the vertex normal of the
 // side that is seen; the far side faces the other way. Where the thickness is the shadows' to tell, each lamp has its own, and
 // `thickness_mm` becomes the least of them as far as nothing else is known.
 vec3 lampsThrough(Layer layer, LayerPoint p, SlabScattering scattering, vec3 position, vec3 normal, bool known, inout float thickness_mm) {
-  vec3 sum = vec3(0.0);
+  BodyLight through = BodyLight(vec3(0.0), thickness_mm);
   bool from_shadow = u_material.transmission_thickness_source == kThicknessFromShadow;
   vec3 transmitted = slabShares(scattering, thickness_mm).transmitted;
-  bool opaque = max(transmitted.r, max(transmitted.g, transmitted.b)) < 1e-5;
-  float least = thickness_mm;
-  for (int i = 0; i < u_light_count.x; ++i) {
-    LightSample light = lightAt(i, position);
-    float cosine = clamp(-dot(normal, light.to_light), 0.0, 1.0);
-    // Loops of at most one round: unlike a branch, software GL leaves them out where no pixel nearby enters.
-    int shadow_rounds = from_shadow && cosine > 0.0 ? 1 : 0, rounds = !from_shadow && cosine > 0.0 && !opaque ? 1 : 0;
-    for (int k = 0; k < shadow_rounds; ++k) {
-      // The way through the body begins a little inside it. Through a slab it is as long as that is thick over the cosine; where the light only
-      // just doesn't graze, a body is no slab but round, and the way itself counts.
-      float shrink = u_material.transmission_normal_scale;
-      float slant = mix(1.0, cosine, smoothstep(0.3, 0.7, cosine));
-      float through = min(shadowThicknessMm(i, position, normal, shrink) * slant + shrink, u_material.transmission_thickness_max_mm);
-      least = min(least, through);
-      sum += light.irradiance * cosine * bodyTransmittance(layer, cosine) * slabShares(scattering, through).transmitted;
-    }
-    for (int k = 0; k < rounds; ++k) {
-      // Asked a little beyond the far side: thicknesses are averages. Where that still lies a little inside the body, the slab is thicker by
-      // what is left of the way; what lies farther off is another part of the body, and casts its shadow.
-      float beyond = 1.25 * thickness_mm + u_material.transmission_normal_scale;
-      float rest = shadowThicknessMm(i, position - normal * (beyond / u_units.x), normal, 0.0);
-      if (rest >= kInside) rest = 0.0;  // a light without shadows
-      float lit = 1.0 - smoothstep(thickness_mm + 2.0, 2.0 * (thickness_mm + 2.0), rest);
-      vec3 through = slabShares(scattering, thickness_mm + rest * cosine).transmitted;
-      sum += light.irradiance * cosine * lit * bodyTransmittance(layer, cosine) * through;
-    }
+  if (from_shadow || max(transmitted.r, max(transmitted.g, transmitted.b)) >= 1e-5) {
+#define ADD_LAMP(number) lampThrough(number, layer, scattering, position, normal, from_shadow, thickness_mm, through);
+    EACH_LIGHT(ADD_LAMP)
+#undef ADD_LAMP
   }
-  if (from_shadow && !known) thickness_mm = least;
-  return sum * kInversePi * p.body_in;
+  if (from_shadow && !known) thickness_mm = through.least_mm;
+  return through.light * kInversePi * p.body_in;
 }
 
 Shading shade(Surface s) {

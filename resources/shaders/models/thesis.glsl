@@ -59,8 +59,9 @@ Shading shade(Surface s) {
 
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
-  for (int i = 0; i < u_light_count.x; ++i)
-    thesisLight(p, s.view, n_dot_v, lightAt(i, s.position), diffuse, specular);
+#define ADD_LIGHT(number) thesisLight(p, s.view, n_dot_v, lightAt(number, s.position), diffuse, specular);
+  EACH_LIGHT(ADD_LIGHT)
+#undef ADD_LIGHT
 
   // Ambient: Fresnel with roughness (Lagarde 2011), irradiance map, prefiltered map, DFG table of Schlick-GGX with k = roughness²/2.
   vec3 f = p.f0s + (max(vec3(1.0 - p.roughness), p.f0s) - p.f0s) * pow5(clamp(1.0 - n_dot_v, 0.0, 1.0));
