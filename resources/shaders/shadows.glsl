@@ -65,7 +65,10 @@ ShadowTexels shadowTexels(vec2 texel, float layer, bool between) {
   return t;
 }
 
-float shadowIn(ShadowView view, vec3 position, vec3 normal) {
+// 1 where the light reaches `position`, 0 where something is in the way. `normal` is the unit vertex normal of the side that is seen; what
+// it says of the surface's slope counts, so don't give one that a normal map has bent. 1 for lights without shadows.
+float shadowAt(int light, vec3 position, vec3 normal) {
+  ShadowView view = u_shadow_views[shadowViewOf(light, position)];
   if (view.texel.w < 0.0) return 1.0;
   vec3 p = position - u_shadow_centre.xyz + normal * view.texel.z;
   vec4 clip = view.texel_from_world * vec4(p, 1.0);
@@ -83,19 +86,19 @@ float shadowIn(ShadowView view, vec3 position, vec3 normal) {
   return dot(t.weight, step(t.depth, vec4(q.z) + slope.x * t.dx + slope.y * t.dy));
 }
 
-// 1 where the light reaches `position`, 0 where something is in the way. `normal` is the unit vertex normal of the side that is seen; what
-// it says of the surface's slope counts, so don't give one that a normal map has bent. 1 for lights without shadows.
-float shadowAt(int light, vec3 position, vec3 normal) {
-  return shadowIn(u_shadow_views[shadowViewOf(light, position)], position, normal);
-}
-
 // The same for a point on the far side of a body: the surface that lies `thickness_mm` below `position`, whose normal is taken to be
 // -normal. Tells whether the light that comes through starts in the sun, so to speak.
 float shadowOfFarSide(int light, vec3 position, vec3 normal, float thickness_mm) {
   return shadowAt(light, position - normal * (thickness_mm / u_units.x), -normal);
 }
 
-float shadowThicknessIn(ShadowView view, int light, vec3 inside) {
+// Millimetres that light has come through the body, from where the light enters it to `position`, which should lie a little inside:
+// Jimenez, Whelan, Sundstedt & Gutierrez 2010, "Real-Time Realistic Skin Translucency": shrunk along -normal by `shrink_mm`
+// (transmission.normal_scale), so that a thin rim isn't missed. Distances between texels are interpolated. Where the point itself is lit the
+// result is about shrink_mm over the cosine; behind another object it is the distance to that. kInside for lights without a map.
+float shadowThicknessMm(int light, vec3 position, vec3 normal, float shrink_mm) {
+  vec3 inside = position - normal * (shrink_mm / u_units.x);
+  ShadowView view = u_shadow_views[shadowViewOf(light, inside)];
   if (view.texel.w < 0.0) return kInside;
   vec4 clip = view.texel_from_world * vec4(inside - u_shadow_centre.xyz, 1.0);
   vec3 q = clip.xyz / max(clip.w, 1e-6);
@@ -110,15 +113,6 @@ float shadowThicknessIn(ShadowView view, int light, vec3 inside) {
     through = (vec4(clip.w) - near / max(t.depth, 1e-12)) * slant;
   }
   return max(dot(t.weight, through), 0.0) * u_units.x;
-}
-
-// Millimetres that light has come through the body, from where the light enters it to `position`, which should lie a little inside:
-// Jimenez, Whelan, Sundstedt & Gutierrez 2010, "Real-Time Realistic Skin Translucency": shrunk along -normal by `shrink_mm`
-// (transmission.normal_scale), so that a thin rim isn't missed. Distances between texels are interpolated. Where the point itself is lit the
-// result is about shrink_mm over the cosine; behind another object it is the distance to that. kInside for lights without a map.
-float shadowThicknessMm(int light, vec3 position, vec3 normal, float shrink_mm) {
-  vec3 inside = position - normal * (shrink_mm / u_units.x);
-  return shadowThicknessIn(u_shadow_views[shadowViewOf(light, inside)], light, inside);
 }
 
 #endif
