@@ -146,8 +146,9 @@ class GlRenderer final : public Renderer {
         need.push_back(displacedCasterProgram());
       }
       if (m_info.software && m_hasWindow && !withAovs && !blended) {
-        moving.push_back(deferredProgram(model, surfaceOutputs(scene, false, false), maps, scene.scene.lights));
-        if (mayDisplace) moving.push_back(geometryProgram(true));
+        moving.push_back(deferredProgram(scene, i, surfaceOutputs(scene, false, false)));
+        moving.push_back(geometryProgram(scene, i, false));
+        if (mayDisplace) moving.push_back(geometryProgram(scene, i, true));
       }
     }
     if (isSplit(scene) || withAovs) {
@@ -159,7 +160,6 @@ class GlRenderer final : public Renderer {
           moving.push_back(std::move(sources));
     }
     // What a moving picture needs on software GL comes after what the still one does.
-    if (m_info.software && m_hasWindow) moving.push_back(geometryProgram(false));
     need.insert(need.end(), moving.begin(), moving.end());
     std::vector<gl::ProgramSources> wanted;
     for (const gl::ProgramSources& sources : need)

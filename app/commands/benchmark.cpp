@@ -15,6 +15,7 @@
 #include "app/commands/look.h"
 #include "core/base/json_text.h"
 #include "core/io/importer.h"
+#include "core/io/png_writer.h"
 #include "gl/offscreen_target.h"
 
 namespace dermis::cli {
@@ -25,6 +26,7 @@ struct BenchmarkOptions {
   std::string size = "1280x720";
   int frames = 30;
   bool json = false;
+  std::string picture;  ///< of the last moving frame
 };
 
 struct Cost {
@@ -55,14 +57,17 @@ double residentMiB() {
   return 0.0;
 }
 
-/// Draws `frames` frames and returns the mean cost of one, and of its passes.
-Cost drawFrames(Renderer& renderer, FrameRequest frame, int frames, Json* passes) {
+/// A camera that turns a little: what a drag does, nothing can be kept from the frame before.
+void turnCamera(FrameRequest& frame, int /*index*/) { frame.camera.position.x += 1e-3F; }
+
+/// Draws `frames` frames, each after its `step`, and returns the mean cost of one, and of its passes.
+Cost drawFrames(Renderer& renderer, FrameRequest frame, int frames, const std::function<void(FrameRequest&, int)>& step,
+                Json* passes) {
   std::map<std::string, std::pair<double, double>> sums;
   std::vector<std::string> order;
   const Cost total = measured([&] {
     for (int i = 0; i < frames; ++i) {
-      // A camera that turns a little: what a drag does, nothing can be kept from the frame before.
-      frame.camera.position.x += 1e-3F;
+      step(frame, i);
       renderer.renderFrame(frame);
       // Asking for the times waits for the frame.
       for (const PassTime& pass : renderer.passTimes()) {
@@ -110,12 +115,29 @@ Outcome<int> benchmark(const BenchmarkOptions& options) {
   frame.moving = true;
   const gl::OffscreenTarget window(frame.size);
   frame.framebuffer = window.framebuffer();
-  const Cost first = drawFrames(renderer, frame, 1, nullptr);
-  Json passes = Json::object();
-  const Cost moving = drawFrames(renderer, frame, options.frames, &passes);
+  const Cost first = drawFrames(renderer, frame, 1, turnCamera, nullptr);
+  Json passes = Json::object(), stillPasses = Json::object();
+  const Cost moving = drawFrames(renderer, frame, options.frames, turnCamera, &passes);
+  const std::uint64_t compiled = renderer.statistics().programsCompiled;
+  const Cost slider = drawFrames(
+      renderer, frame, options.frames,
+      [&](FrameRequest& /*request*/, int i) {
+        auto changed = std::make_shared<ResolvedScene>((*look)->resolved);
+        for (ResolvedMaterial& slot : changed->slots)
+          slot.material.parameters.specularPerceptualRoughness =
+              0.3F + 0.3F * static_cast<float>(i) / static_cast<float>(options.frames);
+        renderer.setScene(std::move(changed));
+      },
+      nullptr);
+  const std::uint64_t compiledBySlider = renderer.statistics().programsCompiled - compiled;
+  renderer.setScene(std::make_shared<const ResolvedScene>((*look)->resolved));
+  if (!options.picture.empty()) {
+    renderer.renderFrame(frame);
+    if (auto written = writePng(options.picture, window.read(), {}); !written) return failure(written.error());
+  }
   frame.moving = false;
   frame.targetSamples = 1;
-  const Cost still = drawFrames(renderer, frame, std::max(1, options.frames / 3), nullptr);
+  const Cost still = drawFrames(renderer, frame, std::max(1, options.frames / 3), turnCamera, &stillPasses);
   warnings = renderer.takeMessages();
   printWarnings(warnings);
   const RenderStatistics statistics = renderer.statistics();
@@ -135,7 +157,10 @@ Outcome<int> benchmark(const BenchmarkOptions& options) {
   json["first_frame"] = costJson(first);
   json["frame_moving"] = costJson(moving);
   json["frame_moving"]["passes"] = passes;
+  json["frame_slider"] = costJson(slider);
+  json["frame_slider"]["programs_compiled"] = compiledBySlider;
   json["frame_still"] = costJson(still);
+  json["frame_still"]["passes"] = stillPasses;
   json["programs_compiled"] = statistics.programsCompiled;
   json["import_module_loaded"] = importerLoaded();
   json["resident_mib"] = rounded(residentMiB());
@@ -146,6 +171,11 @@ Outcome<int> benchmark(const BenchmarkOptions& options) {
   const auto line = [](std::string_view what, const Cost& cost) {
     fmt::print("{:<24}{:>10.2f} ms{:>10.2f} ms CPU\n", what, cost.wallMs, cost.cpuMs);
   };
+  const auto passLines = [](const Json& of) {
+    for (const auto& [name, cost] : of.items())
+      fmt::print("  {:<22}{:>10.2f} ms GPU{:>9.2f} ms CPU\n", name, cost["gpu_ms"].get<double>(),
+                 cost["cpu_ms"].get<double>());
+  };
   fmt::print("{}, {}\n{} triangles at {}x{}\n", gl.renderer, gl.version, json["triangles"].get<std::size_t>(), size->x,
              size->y);
   line("load", load);
@@ -153,10 +183,10 @@ Outcome<int> benchmark(const BenchmarkOptions& options) {
   line("bake the environment", bake);
   line("first frame", first);
   line("frame while moving", moving);
-  for (const auto& [name, cost] : passes.items())
-    fmt::print("  {:<22}{:>10.2f} ms GPU{:>9.2f} ms CPU\n", name, cost["gpu_ms"].get<double>(),
-               cost["cpu_ms"].get<double>());
+  passLines(passes);
+  line("frame as a slider moves", slider);
   line("one still sample", still);
+  passLines(stillPasses);
   fmt::print("{:<24}{:>10.1f} MiB\n", "resident memory", residentMiB());
   return kDone;
 }
@@ -172,12 +202,13 @@ void addBenchmark(CLI::App& root, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
   command->add_flag("--json", options->json, "As JSON");
+  command->add_option("-o,--output", options->picture, "Write the last moving frame, a PNG")->type_name("PNG");
   command->footer(R"(
 Examples:
   dermis benchmark
   dermis benchmark --model head.glb --environment studio.hdr --json
 
-Environments are baked anew, whatever the cache holds. Milliseconds of CPU count all threads: on a software
+The slider is the roughness of every material, the camera at rest. Environments are baked anew, whatever the cache holds. Milliseconds of CPU count all threads: on a software
 renderer they are the figure to compare.)");
   command->callback([options, &action] { action = [options] { return benchmark(*options); }; });
 }

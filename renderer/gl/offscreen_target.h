@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 #include <memory>
 
+#include "core/image/image.h"
+
 namespace dermis::gl {
 
 /// An RGBA8 framebuffer in the current context; goes before the context does.
@@ -16,6 +18,8 @@ class OffscreenTarget {
 
   /// For FrameRequest::framebuffer.
   [[nodiscard]] unsigned framebuffer() const;
+  /// What was drawn, U8 RGBA, top row first.
+  [[nodiscard]] Image read() const;
 
  private:
   struct Objects;

@@ -59,6 +59,15 @@ void beginOpaque(const FrameContext& frame) {
   frame.resources.geometry().bind();
 }
 
+std::string mapsDefine(int maps) { return "DERMIS_MAPS " + std::to_string(maps); }
+
+/// With few lamps their number is in the program: see lights.glsl.
+void defineLightCount(gl::ProgramSources& sources, std::span<const Light> lights) {
+  constexpr std::ptrdiff_t kMost = 6;
+  const auto count = std::ranges::count_if(lights, [](const Light& light) { return light.enabled; });
+  if (count <= kMost) sources.defines.push_back("DERMIS_LIGHT_COUNT " + std::to_string(count));
+}
+
 }  // namespace
 
 bool isSplit(const ResolvedScene& scene) {
@@ -83,7 +92,7 @@ gl::ProgramSources surfaceProgram(ShadingModel model, SurfaceOutputs outputs, st
   if (outputs == SurfaceOutputs::BlendedEverything) sources.defines.emplace_back("DERMIS_BLENDED_AOVS");
   const bool readsMaps =
       model != ShadingModel::Reflection && model != ShadingModel::MicrofacetLab && model != ShadingModel::Lens;
-  if (constantMaps && readsMaps) sources.defines.push_back("DERMIS_MAPS " + std::to_string(*constantMaps));
+  if (constantMaps && readsMaps) sources.defines.push_back(mapsDefine(*constantMaps));
   return sources;
 }
 
@@ -95,21 +104,21 @@ void surfacePass(const FrameContext& frame) {
   frame.resources.unbindSamplers();
 }
 
-gl::ProgramSources geometryProgram(bool displaced) {
+gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool displaced) {
   gl::ProgramSources sources;
   sources.vertex = "surface.vert";
   sources.fragment = "geometry.frag";
+  if (scene.slots[slot].material.model == ShadingModel::Skin)
+    sources.defines = {"DERMIS_FAR_LAMPS", mapsDefine(presentMaps(scene, slot))};
+  defineLightCount(sources, scene.scene.lights);
   return displaced ? tessellated(std::move(sources)) : sources;
 }
 
-gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs, std::optional<int> constantMaps,
-                                   std::span<const Light> lights) {
-  gl::ProgramSources sources = surfaceProgram(model, outputs, constantMaps);
+gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, SurfaceOutputs outputs) {
+  gl::ProgramSources sources = surfaceProgram(scene.slots[slot].material.model, outputs, presentMaps(scene, slot));
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
-  constexpr std::ptrdiff_t kMostUnrolled = 6;  // as in lights.glsl
-  const auto count = std::ranges::count_if(lights, [](const Light& light) { return light.enabled; });
-  if (count <= kMostUnrolled) sources.defines.push_back("DERMIS_LIGHT_COUNT " + std::to_string(count));
+  defineLightCount(sources, scene.scene.lights);
   return sources;
 }
 
@@ -137,9 +146,9 @@ void geometryPass(const FrameContext& frame) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const SlotResources& slot = slots[parts[i].slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program = frame.useProgram(geometryProgram(slot.displaced));
+    const gl::Program* program = frame.useProgram(geometryProgram(frame.scene, parts[i].slot, slot.displaced));
     if (program == nullptr) continue;
-    if (slot.displaced) frame.resources.bindSlot(slot);
+    frame.resources.bindSlot(slot);
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(parts[i].slot));
     drawTriangles(frame, *program, i);
@@ -162,8 +171,7 @@ void shadingPass(const FrameContext& frame) {
   for (const ModelPart& part : frame.scene.model->parts) {
     const SlotResources& slot = slots[part.slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program = frame.useProgram(
-        deferredProgram(slot.model, outputsOf(frame, false), slot.constantMaps, frame.scene.scene.lights));
+    const gl::Program* program = frame.useProgram(deferredProgram(frame.scene, part.slot, outputsOf(frame, false)));
     if (program == nullptr) continue;
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(part.slot));
     frame.resources.bindSlot(slot);

@@ -1,8 +1,6 @@
 // The model: opaque parts first, blended ones after the sky.
 #pragma once
 
-#include <span>
-
 #include "passes/frame_context.h"
 
 namespace dermis {
@@ -28,10 +26,10 @@ void geometryPass(const FrameContext& frame);
 void shadingPass(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const FrameContext& frame);
-[[nodiscard]] gl::ProgramSources geometryProgram(bool displaced);
-/// With few lamps their number is in the program.
-[[nodiscard]] gl::ProgramSources deferredProgram(ShadingModel model, SurfaceOutputs outputs,
-                                                 std::optional<int> constantMaps, std::span<const Light> lights);
+/// Their programs, of a slot. Software GL has the slot's present maps as a constant, and so has the number of lamps
+/// while there are few.
+[[nodiscard]] gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool displaced);
+[[nodiscard]] gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, SurfaceOutputs outputs);
 
 /// Lenses and blended materials, premultiplied over what is there, far ones first. A blended part shows its back faces,
 /// then its front ones; its own triangles are not sorted further.

@@ -30,10 +30,14 @@ float spotFalloff(float cos_angle, float cos_inner, float cos_outer) {
 }
 
 // Does DO(number) for each lamp. Software GL reads a block with an index that a loop counts up one pixel at a time, at several times the
-// cost: moving pictures of few lamps are drawn with their number as a constant, DERMIS_LIGHT_COUNT, and get straight code.
+// cost: moving pictures of few lamps are drawn with their number as a constant, DERMIS_LIGHT_COUNT, and get straight code. It also runs a loop's
+// body once more when all pixels have left it at its top, so the loop asks at its end.
 #ifndef DERMIS_LIGHT_COUNT
-#define EACH_LIGHT(DO) \
-  for (int number = 0; number < u_light_count.x; ++number) { DO(number) }
+#define EACH_LIGHT(DO)                             \
+  if (u_light_count.x > 0) {                       \
+    int number = 0;                                \
+    do { DO(number) } while (++number < u_light_count.x); \
+  }
 #elif DERMIS_LIGHT_COUNT == 0
 #define EACH_LIGHT(DO)
 #elif DERMIS_LIGHT_COUNT == 1

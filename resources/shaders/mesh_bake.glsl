@@ -22,6 +22,14 @@ struct BakedSky {
   vec3 bounce;     // irradiance/π of light that comes from other parts of the mesh
 };
 
+vec3 bouncedLamp(LightSample light) {
+  vec3 l = light.to_light;
+  float received = 0.28209479 * a_far_6.w + 0.48860251 * (a_bounce_1.x * l.y + a_bounce_1.y * l.z + a_bounce_1.z * l.x) +
+                   1.09254843 * (a_bounce_1.w * l.x * l.y + a_bounce_5.x * l.y * l.z + a_bounce_5.z * l.x * l.z) +
+                   0.31539157 * a_bounce_5.y * (3.0 * l.z * l.z - 1.0) + 0.54627422 * a_bounce_5.w * (l.x * l.x - l.y * l.y);
+  return max(received, 0.0) * light.irradiance;
+}
+
 // Light that reaches this vertex by way of others, from the environment and from the lamps, whose own light is a direction's as far as
 // nine coefficients can tell. The first bounce is exact for a mesh of one albedo; of the others it is taken that the surfaces which
 // this one sees are hidden from the sky as much as each other: by the share `among`. In a white world a white mesh is white.
@@ -31,14 +39,9 @@ vec3 bounced(vec3 position) {
               a_bounce_1.w * u_environment_harmonics[4].rgb + a_bounce_5.x * u_environment_harmonics[5].rgb +
               a_bounce_5.y * u_environment_harmonics[6].rgb + a_bounce_5.z * u_environment_harmonics[7].rgb +
               a_bounce_5.w * u_environment_harmonics[8].rgb;
-  for (int i = 0; i < u_light_count.x; ++i) {
-    LightSample light = lightAt(i, position);
-    vec3 l = light.to_light;
-    float received = 0.28209479 * a_far_6.w + 0.48860251 * (a_bounce_1.x * l.y + a_bounce_1.y * l.z + a_bounce_1.z * l.x) +
-                     1.09254843 * (a_bounce_1.w * l.x * l.y + a_bounce_5.x * l.y * l.z + a_bounce_5.z * l.x * l.z) +
-                     0.31539157 * a_bounce_5.y * (3.0 * l.z * l.z - 1.0) + 0.54627422 * a_bounce_5.w * (l.x * l.x - l.y * l.y);
-    once += max(received, 0.0) * light.irradiance;
-  }
+#define ADD_LAMP(number) once += bouncedLamp(lightAt(number, position));
+  EACH_LIGHT(ADD_LAMP)
+#undef ADD_LAMP
   float among = min(1.0 - a_far_6.w / max(a_hidden_0.x, 1e-6), 0.999);
   return max(once, 0.0) * u_mean_albedo.rgb / (1.0 - u_mean_albedo.rgb * among);
 }

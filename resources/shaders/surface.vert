@@ -1,5 +1,8 @@
 // Geometry to the screen. Model transforms were applied when the file was read, so model space is world space.
 #include "mesh_bake.glsl"
+#ifdef DERMIS_FAR_LAMPS
+#include "models/skin.glsl"
+#endif
 
 layout(location = 0) in vec4 a_position_u;
 layout(location = 1) in vec4 a_normal_v;
@@ -32,6 +35,9 @@ void main() {
   v_sky = vec4(sky.share, sky.open);
   v_far = vec4(sky.far_light, a_hidden_8.y);
   v_bounce = sky.bounce;
+#ifdef DERMIS_FAR_LAMPS
+  v_far = farSideWithLamps(v_position, normalize(v_normal), v_uv, v_far);
+#endif
 #ifdef DERMIS_DISPLACED
   v_direction = a_direction;
   v_gradient_u = a_gradient_u;

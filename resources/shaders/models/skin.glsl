@@ -64,6 +64,25 @@ vec3 lampsThrough(Layer layer, LayerPoint p, SlabScattering scattering, vec3 pos
   return through.light * kInversePi * p.body_in;
 }
 
+#ifdef DERMIS_FAR_LAMPS
+// The same for a moving picture on software GL, asked at the vertices: light that has come through a body is soft. What it gives is added
+// to the environment's light on the far side, so the slab's share is taken out again. The body has the mean albedo here.
+vec4 farSideWithLamps(vec3 position, vec3 normal, vec2 uv, vec4 far) {
+  Surface s;
+  s.uv = uv;
+  s.baked_thickness_mm = far.a;
+  float thickness_mm = bodyThicknessMm(s);
+  Layer layer = twoLobes(u_material.specular_perceptual_roughness, 0.0, u_material.specular_intensity);
+  layer.metallic = 0.0;
+  LayerPoint p = layerPoint(layer, normal, normal);
+  SlabScattering scattering = slabScattering(u_mean_albedo.rgb, u_scattering.rgb, int(u_scattering.w));
+  vec3 lamps = lampsThrough(layer, p, scattering, position, normal, far.a >= 0.0, thickness_mm);
+  far.rgb = inHalfRange(far.rgb + lamps / max(slabShares(scattering, thickness_mm).transmitted, 1e-6));
+  if (far.a < 0.0 && u_material.transmission_thickness_source == kThicknessFromShadow) far.a = thickness_mm;
+  return far;
+}
+#endif
+
 Shading shade(Surface s) {
   vec3 albedo = u_material.base_albedo.rgb * colourMap(u_map_albedo, kMapAlbedo, s.uv).rgb;
   float metallic = clamp(u_material.base_metallic * scalarMap(u_map_metallic, kMapMetallic, s.uv), 0.0, 1.0);
@@ -94,8 +113,12 @@ Shading shade(Surface s) {
   // Light through the body, from lamps and environment behind it.
   result.thickness_mm = bodyThicknessMm(s);
   SlabScattering scattering = slabScattering(albedo, u_scattering.rgb, int(u_scattering.w));
+#ifdef DERMIS_DEFERRED
+  const vec3 lamps_through = vec3(0.0);  // farSideWithLamps has added it to s.far_light
+#else
   vec3 lamps_through =
       lampsThrough(layer, p, scattering, s.position, facingNormal(s), s.baked_thickness_mm >= 0.0, result.thickness_mm);
+#endif
   SlabShares slab = slabShares(scattering, result.thickness_mm);
   float amount = u_material.transmission_weight * result.subsurface;
   vec3 tint = amount * u_material.transmission_tint.rgb;
