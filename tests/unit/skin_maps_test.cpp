@@ -158,6 +158,23 @@ TEST_F(SkinMaps, TheMeanOfATonesFaceIsTheTonesAlbedoAndNothingGivesMoreThanItGet
   }
 }
 
+TEST_F(SkinMaps, RelativeMapsTimesTheToneAreTheAbsoluteOnes) {
+  Look look;
+  look.tone = 3.0F;
+  const Image absolute = makeHeadAlbedo(atlas(), look), relative = makeHeadAlbedo(atlas(), look, true);
+  const glm::dvec3 one = toneAlbedo(3.0) * static_cast<double>(kMostRelative);
+  std::size_t clipped = 0;
+  for (std::size_t i = 0; i < absolute.pixels.size(); ++i) {
+    const double ratio = linear(relative.pixels[i]);
+    if (ratio == 1.0) {
+      ++clipped;
+      continue;
+    }
+    ASSERT_NEAR(ratio * one[static_cast<int>(i % 3)], linear(absolute.pixels[i]), 0.01);
+  }
+  EXPECT_LT(clipped, absolute.pixels.size() / 100);
+}
+
 TEST_F(SkinMaps, LipsAreRedderCheeksFlushAndFrecklesDarken) {
   const HeadRegions regions;
   const auto in = [&](HeadRegion region) {

@@ -32,9 +32,11 @@ std::string keyOf(const HeadMapRequest& request) {
   const skin::Look& look = request.look;
   std::string key = fmt::format("{}|{}|{}|{}", headMapNames().at(static_cast<std::size_t>(request.map)), request.size,
                                 shortestDecimal(look.age), look.seed);
-  if (request.map == HeadMap::Albedo)
+  if (request.map == HeadMap::Albedo) {
     for (const float value : {look.tone, look.melanin, look.haemoglobin, look.freckles, look.flush})
       key += "|" + shortestDecimal(value);
+    if (request.relative) key += "|relative";
+  }
   return key;
 }
 
@@ -104,7 +106,7 @@ std::shared_ptr<const Image> headMap(const HeadMapRequest& request) {
   auto maps = std::make_shared<HeadMaps>();
   const HeadAtlas atlas = atlasOf(request.size);
   if (request.map == HeadMap::Albedo)
-    maps->images.front() = makeHeadAlbedo(atlas, request.look);
+    maps->images.front() = makeHeadAlbedo(atlas, request.look, request.relative);
   else
     *maps = makeHeadRelief(atlas, request.look);
   std::shared_ptr<const Image> asked;

@@ -52,9 +52,14 @@ Result<void> readSetting(std::string_view key, std::string_view value, HeadMapRe
     request.size = static_cast<int>(*number);
     return {};
   }
+  if (key == "relative") {
+    if (!whole || !within(0.0F, 1.0F)) return inputError("has a relative that is neither 0 nor 1");
+    request.relative = *number == 1.0F;
+    return {};
+  }
   std::vector<std::string_view> known;
   for (const Setting& setting : kSettings) known.push_back(setting.key);
-  known.insert(known.end(), {"seed", "size"});
+  known.insert(known.end(), {"seed", "size", "relative"});
   return inputError("has no setting \"" + std::string(key) + "\"; there are " + listed(known));
 }
 

@@ -156,14 +156,15 @@ class Relief {
 
 }  // namespace
 
-Image makeHeadAlbedo(const HeadAtlas& atlas, const Look& look) {
+Image makeHeadAlbedo(const HeadAtlas& atlas, const Look& look, bool relative) {
   const Painter painter(atlas, look);
   Image image = emptyImage(atlas, 3, PixelType::U8, "head_albedo");
   // Between the charts the tone's own colour, so that small mipmaps don't darken.
   const glm::vec3 tone(toneAlbedo(look.tone));
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) store8(image, i, toSrgb(tone[static_cast<int>(i % 3)]));
+  const glm::vec3 one = relative ? kMostRelative * tone : glm::vec3(1.0F);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) store8(image, i, toSrgb((tone / one)[static_cast<int>(i % 3)]));
   forTexels(atlas, 1, [&](std::size_t, std::size_t, std::size_t index) {
-    const glm::vec3 albedo = painter.albedo(placeOf(atlas, index, painter.regions()));
+    const glm::vec3 albedo = painter.albedo(placeOf(atlas, index, painter.regions())) / one;
     for (std::size_t c = 0; c < 3; ++c) store8(image, 3 * index + c, toSrgb(albedo[static_cast<int>(c)]));
   });
   return image;

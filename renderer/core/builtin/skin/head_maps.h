@@ -25,14 +25,18 @@ inline constexpr std::size_t kHeadMapCount = 5;
 /// Between the displacement map's 0 and 1: what surface.displacement_mm must be.
 inline constexpr float kHeadReliefMm = 2.0F;
 inline constexpr int kHeadMapSize = 2048;
+/// What 1 stands for in a relative albedo map: the "scale" of its binding.
+inline constexpr float kMostRelative = 1.25F;
 
 struct HeadMapRequest {
   HeadMap map = HeadMap::Albedo;
   skin::Look look;
   int size = kHeadMapSize;
+  bool relative = false;  ///< the albedo as a factor on the tone's, over kMostRelative
 };
 /// "head_albedo", "head_normal", …, each with settings as a query may follow: tone, melanin, haemoglobin, age,
-/// freckles, flush, seed, size. Errors: Input, a phrase that follows the reference: "has no setting …".
+/// freckles, flush, seed, size, relative (0 or 1). Errors: Input, a phrase that follows the reference: "has no setting
+/// …".
 [[nodiscard]] Result<HeadMapRequest> parseHeadMap(std::string_view name);
 /// The names without settings.
 [[nodiscard]] std::array<std::string_view, kHeadMapCount> headMapNames();
@@ -45,7 +49,7 @@ struct HeadMaps {
   std::array<Image, kHeadMapCount> images;
 };
 /// The albedo alone.
-[[nodiscard]] Image makeHeadAlbedo(const HeadAtlas& atlas, const skin::Look& look);
+[[nodiscard]] Image makeHeadAlbedo(const HeadAtlas& atlas, const skin::Look& look, bool relative = false);
 /// All others, which depend on age and seed alone; the albedo stays empty.
 [[nodiscard]] HeadMaps makeHeadRelief(const HeadAtlas& atlas, const skin::Look& look);
 

@@ -124,7 +124,9 @@ Pigments pigmentsOf(const glm::dvec3& albedo) {
     const glm::dvec3 colour = off - brightness;
     return glm::dot(colour, colour) + 0.15 * brightness * brightness;
   };
-  double lowM = std::log(0.002), highM = std::log(0.6), lowB = std::log(0.001), highB = std::log(0.12);
+  // Skin without any melanin or blood is nobody's.
+  const double leastM = std::log(0.008), mostM = std::log(0.6), leastB = std::log(0.001), mostB = std::log(0.12);
+  double lowM = leastM, highM = mostM, lowB = leastB, highB = mostB;
   Pigments best;
   for (int round = 0; round < 8; ++round) {
     double least = 1e30;
@@ -141,7 +143,10 @@ Pigments pigmentsOf(const glm::dvec3& albedo) {
     const double m = std::log(best.melanin), b = std::log(best.blood);
     // Wide enough for an optimum that lies along a slanting valley.
     const double halfM = 2.5 * (highM - lowM) / kGrid, halfB = 2.5 * (highB - lowB) / kGrid;
-    lowM = m - halfM, highM = m + halfM, lowB = b - halfB, highB = b + halfB;
+    lowM = std::max(m - halfM, leastM);
+    highM = std::min(m + halfM, mostM);
+    lowB = std::max(b - halfB, leastB);
+    highB = std::min(b + halfB, mostB);
   }
   return best;
 }
