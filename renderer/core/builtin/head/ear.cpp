@@ -6,10 +6,10 @@ namespace dermis::sculpt {
 
 Ear::Ear()
     : m_origin(70.0F, -15.5F, -1.5F),
-      m_helix({{{8.5F, -0.5F, -7.5F}, 1.4F},
-               {{4.5F, 2, -4.5F}, 1.9F},
-               {{0.5F, 6, -0.5F}, 2.2F},
-               {{-0.8F, 12, 1.6F}, 2.5F},
+      m_helix({{{9.5F, -1.5F, -9.6F}, 1.5F},
+               {{5.0F, 2, -7.6F}, 2.5F},
+               {{1.2F, 6, -3.0F}, 2.8F},
+               {{-0.8F, 12, 1.2F}, 2.6F},
                {{0.2F, 19, 2.4F}, 2.7F},
                {{3.5F, 25.2F, 2.8F}, 2.9F},
                {{9, 28.2F, 2.8F}, 3.0F},
@@ -50,7 +50,7 @@ float Ear::join(float head, const glm::vec3& q) const {
   // The concha goes into the skull, above the plate.
   const float hollow = smoothMax(map.concha + 0.4F, map.height + 0.35F * map.thickness / flat - at.z, 1.5F);
   const float joined = smoothMin(smoothMax(head, -hollow, 1.2F), ear, 3.0F);
-  const float canal = ellipsoid(at, {-1.5F, -3.5F, -9.5F}, {3.6F, 4.2F, 6.5F});
+  const float canal = ellipsoid(at, {1.2F, -3.5F, -9.5F}, {3.6F, 4.0F, 4.6F});
   return smoothMax(joined, -canal, 1.2F);
 }
 

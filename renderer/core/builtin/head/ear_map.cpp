@@ -131,7 +131,7 @@ EarMap::EarMap()
       height += 2.0F * blob(p, {8.5F, -14.2F}, {12, 12});                         // antitragus
       height += 1.4F * blob(p, {5.5F, -25}, {60, 60});                            // the lobe's swelling
       height -= fade(-30.0F, -12.0F, p.y) + 0.03F * std::max(0.0F, p.y - 14.0F);  // lobe and top turn in a little
-      const float thickness = 2.4F + 2.2F * blob(p, {6, -25}, {90, 90}) + 1.2F * fade(-3.0F, 2.0F, concha);
+      const float thickness = 2.7F + 2.2F * blob(p, {6, -25}, {90, 90}) + 1.2F * fade(-3.0F, 2.0F, concha);
       m_samples.push_back({height, signedDistance(outline, p), thickness, concha});
     }
   for (int round = 0; round < 6; ++round) smoothHeights();

@@ -23,17 +23,17 @@ float shareOfX(float x) {
   if (x < 48.0F) return 0.62F;
   if (x < 52.0F) return 0.85F;
   if (x < 66.0F) return 1.25F;
-  return x < 92.0F ? 0.75F : 2.0F;
+  return x < 92.0F ? 0.48F : 2.0F;  // the ears' walls are 2 mm thin
 }
 float shareOfY(float y) {
   if (y > -9.0F && y < 8.0F) return 0.5F;
   if (y > -74.0F && y < -64.0F) return 0.58F;
-  if (y > -82.0F && y < 16.0F) return 0.72F;
+  if (y > -82.0F && y < 18.0F) return 0.66F;
   return y > -120.0F && y < 30.0F ? 1.1F : 1.8F;
 }
 float shareOfZ(float z) {
-  if (z > 68.0F) return 0.72F;
-  return z > -36.0F && z < 8.0F ? 0.85F : 1.6F;
+  if (z > 68.0F) return z < 86.0F ? 0.5F : 0.72F;
+  return z > -36.0F && z < 6.0F ? 0.52F : 1.6F;
 }
 
 Lattice headLattice() {
