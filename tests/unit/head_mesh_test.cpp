@@ -7,7 +7,9 @@
 #include <tuple>
 
 #include "core/builtin/head/head.h"
+#include "core/builtin/head/polygonise.h"
 #include "core/builtin/head/regions.h"
+#include "core/builtin/head/remesh.h"
 #include "core/scene/eyeballs.h"
 
 namespace dermis {
@@ -72,6 +74,51 @@ TEST(HeadMesh, FaceIsClosedAndInOnePiece) {
   }
   const std::uint32_t root = find(place[0]);
   for (const std::uint32_t v : place) ASSERT_EQ(find(v), root) << "a second piece";
+}
+
+TEST(HeadMesh, FewTrianglesAreThinOrTurnedOver) {
+  int slivers = 0, turned = 0;
+  const auto count = static_cast<int>(face().indexCount / 3);
+  for (std::uint32_t t = 0; t < face().indexCount / 3; ++t) {
+    const glm::uvec3 v = faceTriangle(t);
+    const auto& rest = lowHead().rest;
+    const auto& normals = lowHead().restNormals;
+    const glm::vec3 area = glm::cross(rest[v.y] - rest[v.x], rest[v.z] - rest[v.x]);
+    const float longest = std::max({glm::distance(rest[v.x], rest[v.y]), glm::distance(rest[v.y], rest[v.z]),
+                                    glm::distance(rest[v.z], rest[v.x])});
+    // A height under a tenth of the longest side.
+    slivers += glm::length(area) < 0.1F * longest * longest ? 1 : 0;
+    turned += glm::dot(area, normals[v.x] + normals[v.y] + normals[v.z]) <= 0.0F ? 1 : 0;
+  }
+  EXPECT_LT(slivers, count / 500);
+  EXPECT_LT(turned, count / 500);
+}
+
+TEST(HeadMesh, SameBytesEveryTime) {
+  // The steps that run on several threads, on the nose alone: the whole head twice would take seconds.
+  using namespace sculpt;
+  const auto noseOf = [] {
+    const Sculpt sculpt;
+    const auto nose = [&](const glm::vec3& p) {
+      const glm::vec3 q = glm::abs(p - glm::vec3(0.0F, -30.0F, 100.0F)) - glm::vec3(20.0F, 22.0F, 20.0F);
+      return std::max(sculpt(p), std::max({q.x, q.y, q.z}));
+    };
+    Lattice lattice;
+    for (int i = 0; i <= 36; ++i) {
+      const float at = 1.5F * static_cast<float>(i - 18);
+      lattice.planes[0].push_back(at);
+      lattice.planes[1].push_back(at - 30.0F);
+      lattice.planes[2].push_back(at + 100.0F);
+    }
+    EdgeLengths lengths;
+    lengths.shortest = [](const glm::vec3&) { return 1.5F; };
+    lengths.longest = [](const glm::vec3&) { return 4.0F; };
+    return remesh(polygonise(nose, lattice), sculpt, lengths);
+  };
+  const Surface a = noseOf(), b = noseOf();
+  EXPECT_GT(a.triangles.size(), 500U);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.triangles, b.triangles);
 }
 
 TEST(HeadMesh, AtlasHasNoOverlapAndStaysInTheSquare) {

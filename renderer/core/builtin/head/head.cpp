@@ -90,10 +90,9 @@ Head makeHead(HeadLevel level) {
   const Sculpt sculpt;
   AtlasMesh mesh = coarseHeadMesh(sculpt);
   for (int i = 0; i < static_cast<int>(level); ++i) mesh = refined(mesh, sculpt);
-  constexpr std::array<float, 3> kNormalDeltas = {0.4F, 0.25F, 0.15F};  // mm, of the finest that the level can show
   constexpr std::array<int, 3> kEyeSegments = {32, 64, 96};
   const auto index = static_cast<std::size_t>(level);
-  const std::vector<glm::vec3> normals = settled(mesh, sculpt, kNormalDeltas[index]);
+  const std::vector<glm::vec3> normals = settled(mesh, sculpt);
   Head head;
   head.millimetresPerUv = mesh.millimetresPerUv;
   for (const std::uint32_t point : mesh.pointOf) {

@@ -26,8 +26,8 @@ float shareOfX(float x) {
   return x < 92.0F ? 0.48F : 2.0F;  // the ears' walls are 2 mm thin
 }
 float shareOfY(float y) {
-  if (y > -9.0F && y < 8.0F) return 0.5F;
-  if (y > -74.0F && y < -64.0F) return 0.58F;
+  if (y > -8.0F && y < 7.0F) return 0.4F;
+  if (y > -71.5F && y < -66.5F) return 0.35F;
   if (y > -82.0F && y < 18.0F) return 0.66F;
   return y > -120.0F && y < 30.0F ? 1.1F : 1.8F;
 }
@@ -54,13 +54,22 @@ float longestEdge(const glm::vec3& p) {
   return std::max({glm::mix(10.0F, 4.6F, face), 14.0F * base, 4.5F * socket});
 }
 
+/// Shortest edge, mm: finest where a line is sharp, at the lids' edges and between the lips.
+float shortestEdge(const glm::vec3& p) {
+  const glm::vec3 q(std::abs(p.x), p.y, p.z);
+  const float lids =
+      fade(8.0F, 13.0F, std::abs(q.y)) * fade(15.0F, 20.0F, std::abs(q.x - kEyeCentre.x)) * ramp(74.0F, 77.0F, q.z);
+  const float lips = fade(2.0F, 5.0F, std::abs(q.y + 69.0F)) * fade(27.0F, 32.0F, q.x) * ramp(70.0F, 80.0F, q.z);
+  return glm::mix(1.25F, 0.7F, std::max(lids, lips));
+}
+
 }  // namespace
 
 AtlasMesh coarseHeadMesh(const Sculpt& sculpt) {
   const Surface rough = polygonise([&](const glm::vec3& p) { return sculpt(p); }, headLattice());
   EdgeLengths lengths;
   lengths.tolerance = 0.3F;
-  lengths.shortest = 1.15F;
+  lengths.shortest = shortestEdge;
   lengths.longest = longestEdge;
   return unwrap(remesh(rough, sculpt, lengths), sculpt);
 }

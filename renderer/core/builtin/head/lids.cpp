@@ -54,10 +54,9 @@ float Lids::swell(float face, const glm::vec3& q) const {
 float Lids::cut(float face, const glm::vec3& q) const {
   if (q.z < 55.0F || std::abs(q.y) > 24.0F || q.x > 60.0F) return face;
   const float fissure = smoothMax(opening(q), m_floor(q.x - kEyeCentre.x) - q.z, 1.0F);
-  float d = smoothMax(face, -fissure, 0.9F);
-  d = smoothMax(d, kEyeRadius + kLidGap - glm::distance(q, kEyeCentre), 0.5F);
   const float caruncle = ellipsoid(q, {kEyeCentre.x - 12.9F, kEyeCentre.y - 1.5F, 77.2F}, {2.2F, 1.5F, 1.9F});
-  return smoothMin(d, caruncle, 1.0F);
+  const float lids = smoothMin(smoothMax(face, -fissure, 0.9F), caruncle, 1.0F);
+  return smoothMax(lids, kEyeRadius + kLidGap - glm::distance(q, kEyeCentre), 0.5F);
 }
 
 }  // namespace dermis::sculpt

@@ -8,9 +8,9 @@ Lips::Lips()
     : m_line({{0, -68.9F}, {4, -68.5F}, {9, -67.6F}, {16, -68.0F}, {22, -68.7F}, {26, -69.7F}, {34, -71}}),
       m_upper(
           {{0, -62.7F}, {2, -62.2F}, {5.5F, -61.1F}, {9, -61.8F}, {16, -64.7F}, {22, -67.5F}, {26, -69.4F}, {34, -71}}),
-      m_lower({{0, -77.2F}, {6, -77.0F}, {12, -75.6F}, {18, -73.2F}, {23, -71.2F}, {26, -69.8F}, {34, -71}}),
-      m_upperAmount({{0, 3.6F}, {5, 3.6F}, {12, 3.0F}, {19, 2.0F}, {24, 0.95F}, {29, 0}, {40, 0}}),
-      m_lowerAmount({{0, 3.6F}, {6, 3.9F}, {12, 3.4F}, {18, 2.1F}, {23, 0.9F}, {28.5F, 0}, {40, 0}}),
+      m_lower({{0, -78.2F}, {6, -78.0F}, {12, -76.5F}, {18, -73.8F}, {23, -71.2F}, {26, -69.8F}, {34, -71}}),
+      m_upperAmount({{0, 3.9F}, {5, 4.2F}, {12, 3.6F}, {19, 2.4F}, {24, 1.2F}, {30, 0}, {40, 0}}),
+      m_lowerAmount({{0, 4.1F}, {6, 4.5F}, {12, 4.0F}, {18, 2.7F}, {23, 1.3F}, {29.5F, 0}, {40, 0}}),
       // Only part of the height is there where the lips touch: the full height would make a beak.
       m_upperSection({{0, 0.42F},
                       {0.14F, 0.70F},
@@ -44,7 +44,7 @@ float Lips::raise(const glm::vec3& p) const {
   float height = isUpper * m_upperAmount(x) * m_upperSection(std::max(over / upper, 0.0F)) +
                  (1.0F - isUpper) * m_lowerAmount(x) * m_lowerSection(std::max(-over / lower, 0.0F));
   height += 0.35F * bell(p.y - (m_upper(x) + 0.5F), 1.3F) * fade(14.0F, 23.0F, x);  // the white roll
-  height -= 2.4F * bell(over, 0.55F) * fade(21.0F, 27.0F, x);                       // the slit
+  height -= 2.3F * bell(over, 0.9F) * fade(17.0F, 27.5F, x);                        // the slit
   return height * ramp(60.0F, 80.0F, p.z);
 }
 

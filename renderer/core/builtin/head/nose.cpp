@@ -21,7 +21,7 @@ Nose::Nose()
           {{{0, -39.5F, 112}, 4.0F}, {{0, -43.5F, 107}, 3.2F}, {{0, -46.5F, 101}, 3.8F}, {{0, -47.5F, 96}, 4.5F}}) {}
 
 float Nose::bridge(const glm::vec3& p) const {
-  return smoothMin(m_dorsum.tube(p), m_flank.tube(mirrored(p, 2.0F)), 14.0F);
+  return smoothMin(m_dorsum.tube(p), m_flank.tube(mirrored(p, 2.0F)), 18.0F);
 }
 
 float Nose::lobule(const glm::vec3& p) const {
@@ -35,7 +35,7 @@ float Nose::lobule(const glm::vec3& p) const {
 
 float Nose::join(float face, const glm::vec3& p) const {
   if (far(p)) return face;
-  const float d = smoothMin(face, bridge(p), glm::mix(7.0F, 13.0F, fade(-18.0F, 4.0F, p.y)));
+  const float d = smoothMin(face, bridge(p), glm::mix(7.5F, 13.0F, fade(-20.0F, 4.0F, p.y)));
   return smoothMin(d, lobule(p), 6.5F);
 }
 

@@ -14,6 +14,6 @@ namespace dermis::sculpt {
 [[nodiscard]] AtlasMesh refined(const AtlasMesh& mesh, const Sculpt& sculpt);
 
 /// Moves every point onto the skin a last time, but where that would turn a triangle over; the normals there.
-[[nodiscard]] std::vector<glm::vec3> settled(AtlasMesh& mesh, const Sculpt& sculpt, float delta);
+[[nodiscard]] std::vector<glm::vec3> settled(AtlasMesh& mesh, const Sculpt& sculpt);
 
 }  // namespace dermis::sculpt

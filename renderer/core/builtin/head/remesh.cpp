@@ -60,15 +60,16 @@ class Remesher {
     m_wanted.resize(m_mesh.points.size());
     forVertices([&](std::uint32_t v) {
       float bend = 1e-6F;
+      const float shortest = m_lengths.shortest(place(v));
       m_mesh.round(v, [&](std::uint32_t h) {
         const std::uint32_t to = m_mesh.to(h);
-        bend = std::max(bend, glm::distance(m_normals[v], m_normals[to]) /
-                                  std::max(glm::distance(place(v), place(to)), m_lengths.shortest));
+        bend = std::max(
+            bend, glm::distance(m_normals[v], m_normals[to]) / std::max(glm::distance(place(v), place(to)), shortest));
       });
       // Dunyach et al., eq. 1: the edge of an equilateral triangle whose middle is `tolerance` off a sphere.
       const float e = m_lengths.tolerance;
       const float byBend = std::sqrt(std::max(6.0F * e / bend - 3.0F * e * e, 0.0F));
-      m_wanted[v] = glm::clamp(byBend, m_lengths.shortest, std::max(m_lengths.shortest, m_lengths.longest(place(v))));
+      m_wanted[v] = glm::clamp(byBend, shortest, std::max(shortest, m_lengths.longest(place(v))));
     });
     // Neighbouring edges differ by no more than a third of the way between them.
     constexpr float kGrading = 0.35F;

@@ -12,8 +12,8 @@ namespace dermis::sculpt {
 struct EdgeLengths {
   /// Departure of the skin from its triangles, mm; shorter edges where it bends.
   float tolerance = 0.1F;
-  float shortest = 0.9F;
-  /// Longest edge wanted at a place, mm.
+  std::function<float(const glm::vec3&)> shortest;
+  /// Shortest and longest edge wanted at a place, mm.
   std::function<float(const glm::vec3&)> longest;
 };
 

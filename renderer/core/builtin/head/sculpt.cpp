@@ -14,11 +14,11 @@ float bustCut(const glm::vec3& p) {
 
 /// Where the crease of the wing meets the cheek: the one stroke that is drawn in space.
 Stroke alarGroove() {
-  return Stroke({{{9, -33, 106.5F}, 4.0F, -0.1F},
-                 {{13.5F, -31.8F, 100.5F}, 4.2F, -0.6F},
-                 {{17.2F, -35, 95.5F}, 4.0F, -1.3F},
-                 {{17.8F, -41, 93.5F}, 3.8F, -1.4F},
-                 {{16.5F, -46, 94.5F}, 3, -0.6F}});
+  return Stroke({{{9, -33, 106.5F}, 4.5F, -0.1F},
+                 {{13.5F, -31.8F, 100.5F}, 5.0F, -0.5F},
+                 {{17.4F, -35, 95.5F}, 5.2F, -0.9F},
+                 {{18.2F, -41, 93.5F}, 4.8F, -0.9F},
+                 {{17.0F, -46, 94.5F}, 4.0F, -0.4F}});
 }
 
 }  // namespace

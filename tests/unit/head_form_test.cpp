@@ -1,0 +1,133 @@
+// The embedded head as a form: human sizes, lids that keep off the eyeballs, the regions where they should be.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "core/builtin/head/regions.h"
+#include "core/builtin/head/sculpt.h"
+
+namespace dermis {
+namespace {
+
+using namespace sculpt;
+
+const Sculpt& theSculpt() {
+  static const Sculpt sculpt;
+  return sculpt;
+}
+
+/// The first place outwards-in along a line where the skin is met, as the distance travelled from `from`.
+float skinAlong(const glm::vec3& from, const glm::vec3& direction) {
+  float travelled = 0.0F;
+  for (int i = 0; i < 4000; ++i) {
+    const float d = theSculpt()(from + travelled * direction);
+    if (d < 0.01F) break;
+    travelled += std::max(0.4F * d, 0.01F);
+  }
+  return travelled;
+}
+float halfWidth(float y, float z) { return 140.0F - skinAlong({140, y, z}, {-1, 0, 0}); }
+float front(float y) { return 160.0F - skinAlong({0, y, 160}, {0, 0, -1}); }
+float back(float y) { return -160.0F + skinAlong({0, y, -160}, {0, 0, 1}); }
+float largest(float from, float to, const std::function<float(float)>& at) {
+  float most = std::numeric_limits<float>::lowest();
+  for (float x = from; x <= to; x += 1.0F) most = std::max(most, at(x));
+  return most;
+}
+
+struct Measure {
+  const char* name;
+  float value, intended;
+  float mean, deviation;  ///< of adult men in the survey that docs/head.md cites
+};
+
+TEST(HeadForm, SizesAreIntendedAndHuman) {
+  const float crown = 160.0F - skinAlong({0, 160, -10}, {0, -1, 0});
+  const float menton = -150.0F + skinAlong({0, -150, 84}, {0, 1, 0});
+  const float sellion = front(5.0F);
+  EXPECT_NEAR(crown - menton, 233.0F, 2.0F);
+  const Measure measures[] = {
+      {"head length", largest(15, 30, front) - -largest(10, 50, [](float y) { return -back(y); }), 198.5F, 197.3F,
+       7.4F},
+      {"head breadth", 2 * largest(35, 65, [](float y) { return halfWidth(y, -27); }), 154.5F, 153.0F, 6.0F},
+      {"bizygomatic breadth", 2 * largest(25, 55, [](float z) { return halfWidth(-17, z); }), 135.5F, 143.5F, 6.9F},
+      {"bigonial breadth", 2 * halfWidth(-78, 16), 113.0F, 120.4F, 10.4F},
+      {"menton to sellion", 5.0F - menton, 121.0F, 122.7F, 7.0F},
+      {"interpupillary breadth", 2 * kEyeCentre.x, 63.0F, 64.5F, 3.6F},
+      {"nose protrusion", largest(-40, -30, front) - front(-52), 16.8F, 21.1F, 2.7F},
+      {"lip length", 2 * 26.5F, 53.0F, 51.1F, 4.2F},
+  };
+  for (const Measure& m : measures) {
+    EXPECT_NEAR(m.value, m.intended, 1.0F) << m.name;
+    EXPECT_NEAR(m.value, m.mean, 2.0F * m.deviation) << m.name << ": outside two deviations of the mean";
+  }
+  EXPECT_LT(sellion, front(22.0F)) << "the root of the nose lies behind the brow";
+}
+
+TEST(HeadForm, LidsKeepOffTheEyeball) {
+  // No skin within the eyeball, whose surface is sampled at a millimetre, and air outside it by the whole gap.
+  int lids = 0;
+  for (float theta = 0.0F; theta < 180.0F; theta += 5.0F)
+    for (float phi = 0.0F; phi < 360.0F; phi += 5.0F) {
+      const float t = glm::radians(theta), p = glm::radians(phi);
+      const glm::vec3 direction(std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t));
+      ASSERT_GT(theSculpt()(kEyeCentre + kEyeRadius * direction), 0.05F) << theta << " " << phi;
+      const bool covered = theSculpt()(kEyeCentre + (kEyeRadius + 1.0F) * direction) < 0.0F;
+      lids += covered && theta > 40.0F ? 1 : 0;
+    }
+  EXPECT_GT(lids, 500) << "the lids and the socket are there";
+}
+
+TEST(HeadForm, EarIsThin) {
+  // Through the plate from outside, in the ear's own frame, behind the concha.
+  const Ear& ear = theSculpt().ear();
+  const auto place = [&](float v, float u, float w) {
+    // Inverts Ear::local, whose axes are orthonormal.
+    const glm::vec3 zero = ear.local(glm::vec3(0.0F));
+    const glm::mat3 axes = glm::transpose(
+        glm::mat3(ear.local({1, 0, 0}) - zero, ear.local({0, 1, 0}) - zero, ear.local({0, 0, 1}) - zero));
+    return axes * (glm::vec3(v, u, w) - zero);
+  };
+  const auto thickness = [&](float v, float u) {
+    float inside = 0.0F;
+    for (float w = 8.0F; w > -8.0F; w -= 0.05F) {
+      if (theSculpt()(place(v, u, w)) < 0.0F) inside += 0.05F;
+      if (inside > 0.0F && theSculpt()(place(v, u, w)) > 0.0F) break;
+    }
+    return inside;
+  };
+  for (const glm::vec2 at : {glm::vec2(23.0F, 12.0F), {23.0F, 4.0F}, {14.0F, 24.0F}}) {
+    EXPECT_GT(thickness(at.x, at.y), 1.5F) << at.x << " " << at.y;
+    EXPECT_LT(thickness(at.x, at.y), 4.5F) << at.x << " " << at.y;
+  }
+  EXPECT_GT(thickness(6.0F, -24.0F), 3.0F) << "the lobe is thicker";
+}
+
+TEST(HeadForm, RegionsLieWhereTheFormHasThem) {
+  const HeadRegions regions;
+  const auto onSkin = [&](float x, float y) { return glm::vec3(x, y, 160.0F - skinAlong({x, y, 160}, {0, 0, -1})); };
+  EXPECT_GT(regions.at(onSkin(6, -74))[HeadRegion::Lips], 0.9F);
+  EXPECT_LT(regions.at(onSkin(6, -84))[HeadRegion::Lips], 0.05F);
+  EXPECT_GT(regions.at(onSkin(0, -36))[HeadRegion::NoseTip], 0.8F);
+  EXPECT_GT(regions.at(onSkin(-42, -33))[HeadRegion::Cheek], 0.7F);
+  EXPECT_GT(regions.at(onSkin(0, 50))[HeadRegion::Forehead], 0.9F);
+  EXPECT_GT(regions.at(onSkin(25, 20.5F))[HeadRegion::Brow], 0.5F);
+  EXPECT_GT(regions.at({0, 112, 10})[HeadRegion::Scalp], 0.9F);
+  EXPECT_GT(regions.at(onSkin(31.5F, 6.0F))[HeadRegion::UpperLid], 0.5F);
+  EXPECT_GT(regions.at(onSkin(31.5F, -7.5F))[HeadRegion::LowerLid], 0.5F);
+  EXPECT_GT(regions.at({53, -140, -10})[HeadRegion::Neck], 0.9F);
+  EXPECT_GT(regions.at({85, 2, -18})[HeadRegion::Ear], 0.5F);
+  for (float y = -200.0F; y < 120.0F; y += 8.0F) {
+    const RegionWeights left = regions.at(onSkin(20, y)), right = regions.at(onSkin(20, y) * glm::vec3(-1, 1, 1));
+    for (std::size_t i = 0; i < kHeadRegionCount; ++i) {
+      ASSERT_EQ(left.of[i], right.of[i]) << headRegionName(static_cast<HeadRegion>(i));
+      ASSERT_GE(left.of[i], 0.0F);
+      ASSERT_LE(left.of[i], 1.0F);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dermis
