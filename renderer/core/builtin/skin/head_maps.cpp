@@ -95,8 +95,13 @@ class Painter {
 
  private:
   [[nodiscard]] glm::vec3 uncorrected(const PigmentLayers& layers, const Look& look) const {
-    return m_table.at(static_cast<float>(m_pigments.melanin) * look.melanin * layers.melanin,
-                      static_cast<float>(m_pigments.blood) * look.haemoglobin * layers.blood, layers.oxygenation);
+    // What lips or a flush add is blood of the body, not of a tone that has next to none in its colour.
+    constexpr float kUsualBlood = 0.011F;
+    const auto own = static_cast<float>(m_pigments.blood);
+    const float blood =
+        own * std::min(layers.blood, 1.0F) + std::max(own, kUsualBlood) * std::max(layers.blood - 1.0F, 0.0F);
+    return m_table.at(static_cast<float>(m_pigments.melanin) * look.melanin * layers.melanin, look.haemoglobin * blood,
+                      layers.oxygenation);
   }
 
   Look m_look;
