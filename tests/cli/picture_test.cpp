@@ -45,7 +45,7 @@ TEST_F(Picture, EveryFormatCarriesTheSceneVersionAndRenderer) {
     const json& said = image["metadata"]["dermis"];
     ASSERT_TRUE(said.is_object()) << name << ": " << image.dump();
     EXPECT_EQ(said["scene"]["format"], "dermis.scene") << name;
-    EXPECT_TRUE(said["scene"]["materials"].contains("skin")) << name;
+    EXPECT_TRUE(said["scene"]["materials"].contains("face")) << name;
     EXPECT_FALSE(said["version"].get<std::string>().empty()) << name;
     EXPECT_FALSE(said["gl_renderer"].get<std::string>().empty()) << name;
   }
@@ -78,7 +78,7 @@ TEST_F(Picture, PathsAreRelativeToTheSceneAndOnlyNamesOutsideIt) {
 }
 
 TEST_F(Picture, IsVerifiedByRenderingAgain) {
-  render("look.png", {"--set", "skin/specular.perceptual_roughness=0.3", "--camera", "three-quarter"});
+  render("look.png", {"--set", "face/specular.perceptual_roughness=0.3", "--camera", "three-quarter"});
   const ProgramResult same = runDermis({"verify", (m_folder / "look.png").string(), "--tolerance", "0.01"});
   EXPECT_EQ(same.exitCode, 0) << same.allErrors() << same.output;
   render("bare.png", {"--no-metadata"});
@@ -111,7 +111,7 @@ TEST_F(Picture, AovsAreLayersOfAnExr) {
 
 TEST_F(Picture, ComparisonKnowsSameFromDifferent) {
   render("a.png");
-  render("b.png", {"--set", "skin/base.albedo=0.1,0.6,0.2"});
+  render("b.png", {"--set", "face/base.albedo=0.1,0.6,0.2"});
   const std::string a = (m_folder / "a.png").string();
   const std::string b = (m_folder / "b.png").string();
   EXPECT_EQ(runDermis({"compare", a, a, "--tolerance", "0"}).exitCode, 0);
@@ -126,7 +126,7 @@ TEST_F(Picture, ComparisonKnowsSameFromDifferent) {
 }
 
 TEST_F(Picture, TheLocaleChangesNothing) {
-  const std::vector<std::string> arguments = {"--set", "skin/specular.perceptual_roughness=0.35", "--environment",
+  const std::vector<std::string> arguments = {"--set", "face/specular.perceptual_roughness=0.35", "--environment",
                                               "constant:0.5,0.75,1"};
   render("c.png", arguments, {{"LC_ALL", "C"}});
   render("hr.png", arguments, {{"LC_ALL", "hr_HR.UTF-8"}});

@@ -54,11 +54,11 @@ TEST_F(Files, ALightRigIsAnEnvironmentThoughItEndsLikeAPreset) {
 }
 
 TEST_F(Files, OpeningAModelKeepsSlotsOfTheSameNameAndDressesTheOthers) {
-  document().setParameter(QStringLiteral("skin"), "subsurface.scale", 3.0F, newGesture());
+  document().setParameter(QStringLiteral("face"), "subsurface.scale", 3.0F, newGesture());
   const float distance = glm::length(document().camera().position - document().camera().target);
   const float radius = document().model()->bounds.radius();
-  open(model("head.obj", "skin", 2.0F));
-  ASSERT_EQ(document().slotNames(), QStringList{QStringLiteral("skin")});
+  open(model("head.obj", "face", 2.0F));
+  ASSERT_EQ(document().slotNames(), QStringList{QStringLiteral("face")});
   EXPECT_FLOAT_EQ(document().currentLook()->worn.material.parameters.subsurfaceScale, 3.0F);
   // The camera comes along by the ratio of the bounds.
   const float ratio = document().model()->bounds.radius() / radius;
@@ -73,7 +73,7 @@ TEST_F(Files, OpeningAModelKeepsSlotsOfTheSameNameAndDressesTheOthers) {
   open(folder.filePath(QStringLiteral("head.obj")).toStdString());
   undo().undo();
   undo().undo();
-  EXPECT_EQ(document().slotNames(), QStringList{QStringLiteral("skin")});
+  EXPECT_EQ(document().slotNames(), QStringList{QStringLiteral("face")});
   EXPECT_FLOAT_EQ(document().currentLook()->worn.material.parameters.subsurfaceScale, 3.0F);
   undo().undo();
   EXPECT_EQ(document().slotNames().size(), 3);

@@ -2,17 +2,29 @@
 
 #include <algorithm>
 
+#include "core/base/file_reference.h"
+#include "core/builtin/head/head.h"
+#include "core/builtin/head/head_look.h"
+#include "core/material/parameter_table.h"
+
 namespace dermis {
 namespace {
 
-/// Maps that travelled inside the earlier model's file stay with it: the new file's own take their place.
-void replaceEmbedded(SlotLook& look, const ResolvedMaterial& imported) {
+/// Maps that belong to the earlier model stay with it, those that travelled inside its file and those that are laid out
+/// for the built-in head: the new file's own take their place, and what multiplied a map is itself again where there is
+/// none.
+void replaceBelonging(SlotLook& look, const ResolvedMaterial& imported, bool isHead) {
   bool replaced = false;
   for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
-    if (!look.worn.material.textures.at(i).path.starts_with("embedded:")) continue;
-    look.worn.material.textures.at(i) = imported.material.textures.at(i);
+    TextureBinding& binding = look.worn.material.textures.at(i);
+    const bool belongs = embeddedIndex(binding.path).has_value() || (!isHead && isHeadMap(binding.path));
+    if (!belongs) continue;
+    binding = imported.material.textures.at(i);
     look.worn.images.at(i) = imported.images.at(i);
     replaced = true;
+    if (binding.present()) continue;
+    for (const ParameterRow& row : parameterTable())
+      if (row.map == static_cast<TextureSlot>(i)) row.set(look.worn.material.parameters, row.defaultValue());
   }
   if (!replaced) return;
   const std::string preset = look.binding ? look.binding->presetPath : std::string();
@@ -27,6 +39,7 @@ WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::sha
   after.scene.model = source;
   after.millimetresPerUnit = source.millimetresPerUnit.value_or(model->millimetresPerUnit);
 
+  const bool isHead = headLevel(source.builtin).has_value();
   after.slotLooks.clear();
   for (std::size_t i = 0; i < model->slots.size(); ++i) {
     const std::string& name = model->slots[i].name;
@@ -36,10 +49,10 @@ WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::sha
     SlotLook look;
     if (kept != nullptr) {
       look = *kept;
-      replaceEmbedded(look, imported[i]);
+      replaceBelonging(look, imported[i], isHead);
     } else if (const auto shelved = before.shelved.find(name); shelved != before.shelved.end()) {
       look = shelved->second;
-      replaceEmbedded(look, imported[i]);
+      replaceBelonging(look, imported[i], isHead);
     } else {
       look.worn = std::move(imported[i]);
       look.binding = MaterialBinding{look.worn.material, {}, false};

@@ -4,12 +4,13 @@
 #include <optional>
 
 #include "core/builtin/head/head.h"
+#include "core/builtin/head/head_look.h"
 #include "core/scene/primitives.h"
 
 namespace dermis {
 namespace {
 
-constexpr std::array<std::string_view, 6> kModels = {"default", "head", "head-low", "head-high", "sphere", "plane"};
+constexpr std::array<std::string_view, 6> kModels = {"head", "head-low", "head-high", "default", "sphere", "plane"};
 
 /// At the default look's sizes on screen an arc of 1/160 of the circle departs from the true outline by under 0.1
 /// pixel.
@@ -80,24 +81,19 @@ Result<Model> builtinModel(std::string_view name) {
   if (name == "plane") return makePlane();
   if (const std::optional<HeadLevel> level = headLevel(name)) return builtinHead(*level)->model;
   return inputError("there is no built-in model \"" + std::string(name) +
-                    "\"; choose default, head, head-low, head-high, sphere or plane");
+                    "\"; choose head, head-low, head-high, default, sphere or plane");
 }
 
 Scene defaultLook() {
   Scene scene;
   scene.name = "Default look";
-  for (const Material& material : {skinMaterial(), eyeMaterial(), goldMaterial()}) {
-    const std::string slot = material.model == ShadingModel::Skin  ? "skin"
-                             : material.model == ShadingModel::Eye ? "eye"
-                                                                   : "gold";
-    scene.materials[slot].material = material;
-  }
-  scene.model.builtin = "default";
+  scene.model.builtin = "head";
+  for (const ModelSlot& slot : headSlots()) scene.materials[slot.name].material = slot.imported;
   scene.environment.builtin = "studio";
   Camera camera;
-  camera.position = {0.0F, 0.9F, 8.6F};
-  camera.target = {0.0F, -0.1F, 0.2F};
-  camera.verticalFovDegrees = 19.5F;
+  camera.position = {0.20F, -0.01F, 0.98F};
+  camera.target = {0.0F, -0.055F, -0.02F};
+  camera.verticalFovDegrees = 20.0F;
   scene.camera = camera;
   return scene;
 }

@@ -1,4 +1,4 @@
-// What the program shows without a file: a trio of spheres (skin, an eye-like dielectric, gold) in the studio.
+// What the program shows without a file: its own head in the studio.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace dermis {
 
-/// Names that a scene's `model.builtin` takes, for messages and help: "default", "head", "sphere", …
+/// Names that a scene's `model.builtin` takes, for messages and help: "head", "sphere", …
 [[nodiscard]] std::span<const std::string_view> builtinModels();
 
 /// A model made in code. "default" has the slots `skin`, `eye`, `gold`, each with its own material as the imported

@@ -29,7 +29,7 @@ struct ModelFilePart {
 /// Exactly one of path, builtin and parts is set.
 struct ModelSource {
   std::string path;
-  std::string builtin = "default";  ///< "sphere", "plane", "head"; "default" is the embedded default look's model
+  std::string builtin = "head";  ///< one of builtinModels()
   std::vector<ModelFilePart> parts;
   std::optional<float> millimetresPerUnit;  ///< unset: the file's own unit, or guessed
   bool operator==(const ModelSource&) const = default;

@@ -6,6 +6,7 @@
 #include "core/builtin/head/asymmetry.h"
 #include "core/builtin/head/eyes.h"
 #include "core/builtin/head/head_cache.h"
+#include "core/builtin/head/head_look.h"
 #include "core/builtin/head/head_mesh.h"
 #include "core/builtin/head/refine.h"
 #include "core/scene/primitives.h"
@@ -21,21 +22,6 @@ constexpr float kMillimetresPerMetre = 1000.0F, kMetresPerMillimetre = 0.001F;
 /// Texture coordinates of the two eyes side by side: the left eye in the left half.
 void placeEyeUvs(Model& eye, bool left) {
   for (glm::vec2& uv : eye.uvs) uv = glm::vec2(left ? 0.25F : 0.75F, 0.5F) + 0.98F * 0.5F * (uv - 0.5F);
-}
-
-Material eyeMaterial() {
-  Material material;
-  material.name = "Eye";
-  material.model = ShadingModel::Eye;
-  material.parameters.eyeIrisColor = {{0.07F, 0.14F, 0.17F}};
-  return material;
-}
-Material corneaMaterial() {
-  Material material;
-  material.name = "Cornea";
-  material.model = ShadingModel::Lens;
-  material.parameters.lensOpacity = 0.0F;
-  return material;
 }
 
 /// Both eyes' copies of a part of the left one, in metres.
@@ -72,9 +58,8 @@ Model faceModel(const AtlasMesh& mesh, const std::vector<glm::vec3>& normals) {
 }  // namespace
 
 void describeHead(Model& model) {
-  Material skin;
-  skin.name = "Skin";
-  model.slots = {{"face", skin}, {"eye", eyeMaterial()}, {"lens", corneaMaterial()}};
+  const auto slots = headSlots();
+  model.slots.assign(slots.begin(), slots.end());
   model.millimetresPerUnit = kMillimetresPerMetre;
   model.unitSource = "built in: metres";
 }
