@@ -52,11 +52,13 @@ struct Element {
 };
 
 Element elementOf(const glm::uvec3& t, const std::vector<glm::dvec3>& points, double weight) {
+  // mm: what is smaller, or thinner, is taken as this. Its gradients would drown all others, and single precision must
+  // still tell its corners apart in the atlas.
+  constexpr double kSmallest = 0.05;
   const glm::dvec3 e1 = points[t.y] - points[t.x], e2 = points[t.z] - points[t.x];
-  const double base = std::max(glm::length(e1), 1e-6), along = glm::dot(e1, e2) / base;
+  const double base = std::max(glm::length(e1), kSmallest), along = glm::dot(e1, e2) / base;
   const double area = glm::length(glm::cross(e1, e2));
-  // A needle is taken as a little fatter than it is: its gradients would drown all others.
-  const double height = std::max(area / base, 0.02 * std::max(base, glm::length(e2)));
+  const double height = std::max({area / base, 0.02 * std::max(base, glm::length(e2)), kSmallest});
   Element element{t, 0.5 * weight * base * height, {}};
   element.gradients[1] = {1.0 / base, -along / (base * height)};
   element.gradients[2] = {0.0, 1.0 / height};

@@ -50,7 +50,7 @@ float Sculpt::operator()(const glm::vec3& p) const {
     d = m_nose.cutNostrils(d, q);
     d = m_lids.cut(d, q);
   }
-  return smoothMax(d, bustCut(p), 12.0F);
+  return smoothMax(d, bustCut(p), 22.0F);
 }
 
 Sculpt::Slope Sculpt::slope(const glm::vec3& p, float delta) const {
