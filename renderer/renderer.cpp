@@ -10,6 +10,7 @@
 #include "gl/shader_library.h"
 #include "passes/displacement.h"
 #include "passes/scene_resources.h"
+#include "passes/shadow_pass.h"
 #include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
 
@@ -134,6 +135,8 @@ class GlRenderer final : public Renderer {
     std::vector<gl::ProgramSources> need;
     std::vector<gl::ProgramSources> moving;
     const ResolvedScene& scene = *m_resources.scene();
+    const bool castShadows =
+        std::ranges::any_of(scene.scene.lights, [](const Light& light) { return light.enabled && light.shadow; });
     for (std::size_t i = 0; i < scene.slots.size(); ++i) {
       const std::optional<int> maps = m_info.software ? std::optional<int>(presentMaps(scene, i)) : std::nullopt;
       const ShadingModel model = scene.slots[i].material.model;
@@ -141,6 +144,7 @@ class GlRenderer final : public Renderer {
       const bool mayDisplace = canDisplace(scene, i);
       const gl::ProgramSources surface = surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps);
       need.push_back(surface);
+      if (castShadows) need.push_back(casterProgram(hasCutOuts(scene.slots[i].material)));
       if (mayDisplace) {
         need.push_back(tessellated(surface));
         need.push_back(displacedCasterProgram());

@@ -42,6 +42,11 @@ bool hasShell(const ResolvedScene& scene) {
 
 bool isBlended(const Material& material) { return drawKindOf(material) != DrawKind::Opaque; }
 
+bool hasCutOuts(const Material& material) {
+  return material.model == ShadingModel::MetallicRoughness &&
+         material.parameters.metallicRoughnessAlphaMode == AlphaMode::Mask;
+}
+
 bool samePicture(const ResolvedScene& a, const ResolvedScene& b) {
   if (a.model != b.model || a.bake != b.bake || a.millimetresPerUnit != b.millimetresPerUnit ||
       a.slots.size() != b.slots.size())
@@ -168,8 +173,7 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   slot.model = source.material.model;
   slot.kind = drawKindOf(source.material);
   slot.cullBackFaces = cullsBackFaces(source.material);
-  slot.hasCutOuts = source.material.model == ShadingModel::MetallicRoughness &&
-                    source.material.parameters.metallicRoughnessAlphaMode == AlphaMode::Mask;
+  slot.hasCutOuts = hasCutOuts(source.material);
 
   std::vector<std::byte> bytes = packMaterialBlock(source.material.parameters);
   if (bytes != slot.materialBytes) {

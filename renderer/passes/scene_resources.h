@@ -119,6 +119,9 @@ class SceneResources {
 /// Whether a material is drawn over what is there, after opaque ones.
 [[nodiscard]] bool isBlended(const Material& material);
 
+/// Whether a material discards where its alpha is low.
+[[nodiscard]] bool hasCutOuts(const Material& material);
+
 /// Bits, by TextureSlot, of the maps that a slot's material has and its model can place.
 [[nodiscard]] int presentMaps(const ResolvedScene& scene, std::size_t slot);
 

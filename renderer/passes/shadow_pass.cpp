@@ -56,6 +56,14 @@ ShadowWindow widened(ShadowWindow window, float share) {
 
 }  // namespace
 
+gl::ProgramSources casterProgram(bool hasCutOuts) {
+  gl::ProgramSources sources;
+  sources.vertex = "shadow.vert";
+  sources.fragment = "shadow.frag";
+  if (hasCutOuts) sources.defines.emplace_back("DERMIS_CUT_OUTS");
+  return sources;
+}
+
 ShadowPass::ShadowPass(bool software)
     : m_software(software),
       m_maps(gl::Texture::create(
@@ -241,11 +249,7 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
       drawDisplaced(*program, slot, frame.resources.geometry(), i, view);
       continue;
     }
-    gl::ProgramSources sources;
-    sources.vertex = "shadow.vert";
-    sources.fragment = "shadow.frag";
-    if (slot.hasCutOuts) sources.defines.emplace_back("DERMIS_CUT_OUTS");
-    const gl::Program* program = frame.useProgram(sources);
+    const gl::Program* program = frame.useProgram(casterProgram(slot.hasCutOuts));
     if (program == nullptr) continue;
     if (slot.hasCutOuts) frame.resources.bindSlot(slot);
     glUniformMatrix4fv(program->uniform("u_clip_from_world"), 1, GL_FALSE, &face.view.clip[0][0]);

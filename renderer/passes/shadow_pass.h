@@ -32,6 +32,9 @@ struct ShadowSample {
   bool thorough = false;  ///< every sample draws every map anew; otherwise as many as there is time for, in turn
 };
 
+/// What draws a part into a map that isn't displaced.
+[[nodiscard]] gl::ProgramSources casterProgram(bool hasCutOuts);
+
 class ShadowPass {
  public:
   explicit ShadowPass(bool software);

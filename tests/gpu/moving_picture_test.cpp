@@ -1,0 +1,148 @@
+// Moving pictures on software GL are drawn another way than still ones: how far apart the two are, and what a drag may
+// not do.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include "core/builtin/environments.h"
+#include "core/scene/primitives.h"
+#include "gpu/frame_support.h"
+
+namespace dermis::test {
+namespace {
+
+constexpr int kEdge = 160;
+
+/// A dense ball of skin with every kind of map that matters, thin on its left and thick on its right, in a studio, with
+/// shadows on it and a lamp behind.
+ResolvedScene everything() {
+  Material skin = materialOf(ShadingModel::Skin);
+  skin.parameters.transmissionThicknessSource = ThicknessSource::Map;
+  skin.parameters.transmissionThicknessMinMm = 1.0F;
+  skin.parameters.transmissionThicknessMaxMm = 20.0F;
+  Model model = makeSphere(256);
+  appendModel(model, makeSphere(64), {glm::vec3(0.25F), {}, {-0.5F, 0.5F, 1.1F}});
+  ResolvedScene scene = sceneOf(std::move(model), skin);
+  scene.environment = builtinEnvironment("studio", 128);
+  std::vector<float> albedo, normal, specular, thickness;
+  constexpr int kSide = 64;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const float wave = 0.5F + 0.5F * std::sin(0.7F * static_cast<float>(x)) * std::cos(0.5F * static_cast<float>(y));
+      albedo.insert(albedo.end(), {0.6F + 0.2F * wave, 0.4F + 0.1F * wave, 0.35F});
+      normal.insert(normal.end(), {0.5F + 0.1F * std::sin(0.4F * static_cast<float>(x)), 0.5F, 0.98F});
+      specular.push_back(0.7F + 0.3F * wave);
+      // u = ¼ faces −X, ¾ faces +X.
+      const float u = static_cast<float>(x) / kSide;
+      thickness.push_back(0.5F - 0.5F * std::sin(6.2831853F * u));
+    }
+  TextureBinding raw;
+  raw.colorSpace = "raw";
+  setMap(scene, TextureSlot::Albedo, imageOf(kSide, kSide, 3, PixelType::U8, albedo), raw);
+  setMap(scene, TextureSlot::Normal, imageOf(kSide, kSide, 3, PixelType::U8, normal), raw);
+  setMap(scene, TextureSlot::Specular, imageOf(kSide, kSide, 1, PixelType::U8, specular), raw);
+  setMap(scene, TextureSlot::Thickness, imageOf(kSide, kSide, 1, PixelType::U8, thickness), raw);
+  scene.scene.lights = {pointLight({-2.0F, 1.5F, 3.0F}, 3.0F), pointLight({2.5F, 0.5F, 2.0F}, 1.5F),
+                        pointLight({0.0F, 3.0F, 1.0F}, 1.0F), pointLight({-1.5F, 0.0F, -3.0F}, 12.0F)};
+  scene.scene.lights.back().shadow = false;  // or the ball would hold its light back from the map's thin skin
+  return scene;
+}
+
+struct Difference {
+  double mean = 0.0;      ///< of all channels of the model's pixels, codes of 255
+  double farShare = 0.0;  ///< of its pixels that are more than `far` codes apart
+  std::size_t pixels = 0;
+};
+
+Difference between(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b, int far) {
+  Difference result;
+  for (std::size_t i = 0; i + 3 < a.size(); i += 4) {
+    // Outlines are smoothed in different ways: what both cover whole.
+    if (a[i + 3] != 255 || b[i + 3] != 255) continue;
+    int most = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int apart = std::abs(int{a[i + c]} - int{b[i + c]});
+      result.mean += apart;
+      most = std::max(most, apart);
+    }
+    result.farShare += most > far ? 1.0 : 0.0;
+    ++result.pixels;
+  }
+  result.mean /= 3.0 * static_cast<double>(std::max<std::size_t>(result.pixels, 1));
+  result.farShare /= static_cast<double>(std::max<std::size_t>(result.pixels, 1));
+  return result;
+}
+
+class MovingPicture : public FrameTest {
+ protected:
+  void SetUp() override {
+    m_size = {kEdge, kEdge};
+    FrameTest::SetUp();
+  }
+  /// As a window shows it when it has converged, RGBA, first row lowest.
+  std::vector<std::uint8_t> stillPicture(const ResolvedScene& scene) {
+    still(scene, 16);
+    const Image image = m_renderer->readDisplay(request(scene).view, PixelType::U8);
+    std::vector<std::uint8_t> values;
+    const std::size_t row = image.rowBytes();
+    for (auto y = static_cast<std::size_t>(image.height); y-- > 0;)
+      for (std::size_t x = 0; x < row; ++x) values.push_back(std::to_integer<std::uint8_t>(image.pixels[y * row + x]));
+    return values;
+  }
+};
+
+TEST_F(MovingPicture, DrawnInTwoStepsItIsTheOneDrawnAtOnce) {
+  const ResolvedScene scene = everything();
+  const auto deferred = movingPicture(scene, true), direct = movingPicture(scene, false);
+  const Difference apart = between(deferred, direct, 10);
+  std::printf("  mean %.2f codes, %.2f %% of the pixels more than 10 apart\n", apart.mean, 100.0 * apart.farShare);
+  EXPECT_GT(apart.pixels, 15000U);
+  EXPECT_LT(apart.mean, 0.6);
+  EXPECT_LT(apart.farShare, 0.01);
+  // The lamp behind must count, or this says nothing of the light through thin parts.
+  ResolvedScene without = scene;
+  for (ResolvedMaterial& slot : without.slots) slot.material.parameters.transmissionWeight = 0.0F;
+  EXPECT_GT(between(movingPicture(without, true), deferred, 10).mean, 2.0);
+}
+
+TEST_F(MovingPicture, AgreesWithTheStillOne) {
+  const ResolvedScene scene = everything();
+  const auto converged = stillPicture(scene);
+  const Difference apart = between(movingPicture(scene, true), converged, 16);
+  std::printf("  mean %.2f codes, %.2f %% of the pixels more than 16 apart\n", apart.mean, 100.0 * apart.farShare);
+  EXPECT_GT(apart.pixels, 15000U);
+  EXPECT_LT(apart.mean, 1.0);
+  EXPECT_LT(apart.farShare, 0.01);
+}
+
+TEST_F(MovingPicture, DragsCompileNothing) {
+  RendererOptions options;
+  options.software = true;
+  makeRenderer(options);
+  ResolvedScene scene = everything();
+  show(scene);
+  const Window window(m_size);
+  FrameRequest frame = request(scene);
+  frame.moving = true;
+  frame.framebuffer = window.framebuffer.id();
+  ASSERT_TRUE(m_renderer->renderFrame(frame));
+  const std::uint64_t compiled = m_renderer->statistics().programsCompiled;
+  const std::vector<std::function<void()>> drags = {
+      [&] { scene.slots[0].material.parameters.specularPerceptualRoughness += 0.1F; },
+      [&] { scene.slots[0].material.parameters.subsurfaceScale *= 1.5F; },
+      [&] { scene.slots[0].material.parameters.transmissionThicknessMaxMm += 5.0F; },
+      [&] { scene.scene.lights[0].position.x += 0.3F; },
+      [&] { scene.scene.lights[1].intensity *= 2.0F; },
+      [&] { scene.scene.environment.rotationDegrees += 30.0F; },
+      [&] { frame.camera.position.x += 0.2F; }};
+  for (const auto& drag : drags) {
+    drag();
+    m_renderer->setScene(std::make_shared<ResolvedScene>(scene));
+    ASSERT_TRUE(m_renderer->renderFrame(frame));
+  }
+  EXPECT_EQ(m_renderer->statistics().programsCompiled, compiled);
+}
+
+}  // namespace
+}  // namespace dermis::test
