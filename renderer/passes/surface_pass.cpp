@@ -61,13 +61,6 @@ void beginOpaque(const FrameContext& frame) {
 
 std::string mapsDefine(int maps) { return "DERMIS_MAPS " + std::to_string(maps); }
 
-/// With few lamps their number is in the program: see lights.glsl.
-void defineLightCount(gl::ProgramSources& sources, std::span<const Light> lights) {
-  constexpr std::ptrdiff_t kMost = 6;
-  const auto count = std::ranges::count_if(lights, [](const Light& light) { return light.enabled; });
-  if (count <= kMost) sources.defines.push_back("DERMIS_LIGHT_COUNT " + std::to_string(count));
-}
-
 }  // namespace
 
 bool isSplit(const ResolvedScene& scene) {
@@ -110,7 +103,6 @@ gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot,
   sources.fragment = "geometry.frag";
   if (scene.slots[slot].material.model == ShadingModel::Skin)
     sources.defines = {"DERMIS_FAR_LAMPS", mapsDefine(presentMaps(scene, slot))};
-  defineLightCount(sources, scene.scene.lights);
   return displaced ? tessellated(std::move(sources)) : sources;
 }
 
@@ -118,7 +110,6 @@ gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot,
   gl::ProgramSources sources = surfaceProgram(scene.slots[slot].material.model, outputs, presentMaps(scene, slot));
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
-  defineLightCount(sources, scene.scene.lights);
   return sources;
 }
 

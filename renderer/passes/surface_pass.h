@@ -26,8 +26,7 @@ void geometryPass(const FrameContext& frame);
 void shadingPass(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const FrameContext& frame);
-/// Their programs, of a slot. Software GL has the slot's present maps as a constant, and so has the number of lamps
-/// while there are few.
+/// Their programs, of a slot, with its present maps as a constant.
 [[nodiscard]] gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool displaced);
 [[nodiscard]] gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, SurfaceOutputs outputs);
 

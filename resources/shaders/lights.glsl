@@ -29,30 +29,12 @@ float spotFalloff(float cos_angle, float cos_inner, float cos_outer) {
   return t * t;
 }
 
-// Does DO(number) for each lamp. Software GL reads a block with an index that a loop counts up one pixel at a time, at several times the
-// cost: moving pictures of few lamps are drawn with their number as a constant, DERMIS_LIGHT_COUNT, and get straight code. It also runs a loop's
-// body once more when all pixels have left it at its top, so the loop asks at its end.
-#ifndef DERMIS_LIGHT_COUNT
-#define EACH_LIGHT(DO)                             \
-  if (u_light_count.x > 0) {                       \
-    int number = 0;                                \
+// Does DO(number) for each lamp. Software GL runs a loop's body once more when all pixels have left it at its top, so it asks at its end.
+#define EACH_LIGHT(DO)                                    \
+  if (u_light_count.x > 0) {                              \
+    int number = 0;                                       \
     do { DO(number) } while (++number < u_light_count.x); \
   }
-#elif DERMIS_LIGHT_COUNT == 0
-#define EACH_LIGHT(DO)
-#elif DERMIS_LIGHT_COUNT == 1
-#define EACH_LIGHT(DO) DO(0)
-#elif DERMIS_LIGHT_COUNT == 2
-#define EACH_LIGHT(DO) DO(0) DO(1)
-#elif DERMIS_LIGHT_COUNT == 3
-#define EACH_LIGHT(DO) DO(0) DO(1) DO(2)
-#elif DERMIS_LIGHT_COUNT == 4
-#define EACH_LIGHT(DO) DO(0) DO(1) DO(2) DO(3)
-#elif DERMIS_LIGHT_COUNT == 5
-#define EACH_LIGHT(DO) DO(0) DO(1) DO(2) DO(3) DO(4)
-#elif DERMIS_LIGHT_COUNT == 6
-#define EACH_LIGHT(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5)
-#endif
 
 LightSample lightAt(int index, vec3 position) {
   LightData light = u_lights[index];
