@@ -151,7 +151,7 @@ TEST(BuiltinContent, ResolvingWhatIsBuiltInLoadsNoImportModule) {
   EXPECT_TRUE(warnings.empty());
   EXPECT_FALSE(importerLoaded());
   ASSERT_EQ(first->slots.size(), 3U);
-  EXPECT_EQ(first->slots[2].material.model, ShadingModel::MetallicRoughness);
+  EXPECT_EQ(first->slots[2].material.model, ShadingModel::Lens);
 
   // Nothing is made twice while somebody holds it.
   Scene turned = defaultLook();
