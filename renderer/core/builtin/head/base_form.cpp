@@ -84,9 +84,9 @@ float roughForm(const glm::vec3& p) {
   return smoothMin(head, shoulders(p, q), 44);
 }
 
-BaseForm::BaseForm() : m_lattice(static_cast<std::size_t>(kCounts.x * kCounts.y * kCounts.z)) {
+BaseForm::BaseForm() : m_lattice(latticeIndex(0, 0, kCounts.z)) {
   const PinnedForm form;
-  const auto rows = static_cast<std::size_t>(kCounts.y * kCounts.z);
+  const std::size_t rows = latticeIndex(0, 0, kCounts.z) / static_cast<std::size_t>(kCounts.x);
   forPieces(
       rows, 16, {},
       [&](std::size_t begin, std::size_t end) {

@@ -62,7 +62,8 @@ class Samples {
       m_counts[axis] = static_cast<int>(lattice.planes[static_cast<std::size_t>(axis)].size());
       m_blocks[axis] = (m_counts[axis] + kBlock - 1) / kBlock;
     }
-    const auto count = static_cast<std::size_t>(m_blocks.x * m_blocks.y * m_blocks.z);
+    const auto count = static_cast<std::size_t>(m_blocks.x) * static_cast<std::size_t>(m_blocks.y) *
+                       static_cast<std::size_t>(m_blocks.z);
     m_sign.resize(count);
     m_values.resize(count);
     forPieces(
@@ -79,13 +80,15 @@ class Samples {
     const glm::ivec3 block = p / kBlock, in = p - block * kBlock;
     const std::size_t index = blockIndex(block);
     if (m_values[index].empty()) return m_sign[index];
-    return m_values[index][static_cast<std::size_t>((in.z * kBlock + in.y) * kBlock + in.x)];
+    const int point = (in.z * kBlock + in.y) * kBlock + in.x;
+    return m_values[index][static_cast<std::size_t>(point)];
   }
   [[nodiscard]] glm::vec3 place(const glm::ivec3& p) const { return {plane(0, p.x), plane(1, p.y), plane(2, p.z)}; }
 
  private:
   [[nodiscard]] std::size_t blockIndex(const glm::ivec3& b) const {
-    return static_cast<std::size_t>((b.z * m_blocks.y + b.y) * m_blocks.x + b.x);
+    const int block = (b.z * m_blocks.y + b.y) * m_blocks.x + b.x;
+    return static_cast<std::size_t>(block);
   }
   [[nodiscard]] float plane(std::size_t axis, int i) const {
     const std::vector<float>& planes = m_lattice.planes[axis];
