@@ -176,6 +176,7 @@ std::vector<Piece> piecesOf(const Model& model, const ModelPart& part) {
     piece.area += glm::length(area);
   }
   std::vector<Piece> pieces;
+  pieces.reserve(found.size());
   for (auto& [root, piece] : found) pieces.push_back(std::move(piece));
   return pieces;
 }

@@ -52,7 +52,7 @@ Model turnedAboutZ(const std::vector<MeridianPoint>& meridian, int segments, con
   for (int row = 0; row + 1 < rows; ++row)
     for (int i = 0; i < segments; ++i) {
       const bool opens = meridian[static_cast<std::size_t>(row)].radius == 0.0F;
-      const bool closes = meridian[static_cast<std::size_t>(row + 1)].radius == 0.0F;
+      const bool closes = meridian[static_cast<std::size_t>(row) + 1].radius == 0.0F;
       if (!closes) model.indices.insert(model.indices.end(), {at(row, i), at(row + 1, i), at(row + 1, i + 1)});
       if (!opens)
         model.indices.insert(model.indices.end(), {at(row, i), at(row + 1, closes ? i : i + 1), at(row, i + 1)});

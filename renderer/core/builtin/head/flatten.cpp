@@ -151,19 +151,21 @@ class Flattener {
     for (Eigen::Index v = 0; v < n; ++v) m_flat[static_cast<std::size_t>(v)] = {solved(v, 0), solved(v, 1)};
   }
 
+  /// The number of a vertex's x (0) or y (1) among the unknowns.
+  static Eigen::Index unknown(std::uint32_t vertex, int axis) { return Eigen::Index{2} * vertex + axis; }
+
   /// The global matrix's pattern, and where in its values each element's blocks go.
   void prepare() {
     const auto n = static_cast<Eigen::Index>(2 * m_flat.size());
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index i = 0; i < n; ++i) entries.emplace_back(i, i, 0.0);
     const auto eachEntry = [&](const auto& visit) {
-      for (std::size_t k = 0; k < m_elements.size(); ++k)
+      for (const Element& e : m_elements)
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            for (unsigned r = 0; r < 2; ++r)
-              for (unsigned c = 0; c < 2; ++c) {
-                const auto row = static_cast<Eigen::Index>(2 * m_elements[k].corners[i] + r);
-                const auto column = static_cast<Eigen::Index>(2 * m_elements[k].corners[j] + c);
+            for (int r = 0; r < 2; ++r)
+              for (int c = 0; c < 2; ++c) {
+                const Eigen::Index row = unknown(e.corners[i], r), column = unknown(e.corners[j], c);
                 if (row >= column) visit(row, column);
               }
     };
@@ -207,15 +209,14 @@ class Flattener {
       for (int i = 0; i < 3; ++i) {
         const glm::dvec2 gi = e.gradients[static_cast<std::size_t>(i)];
         const glm::dvec2 pull = e.weight * (proxy.weight * (proxy.rotation * gi));
-        right[static_cast<Eigen::Index>(2 * e.corners[i])] += pull.x;
-        right[static_cast<Eigen::Index>(2 * e.corners[i] + 1)] += pull.y;
+        right[unknown(e.corners[i], 0)] += pull.x;
+        right[unknown(e.corners[i], 1)] += pull.y;
         for (int j = 0; j < 3; ++j) {
           const double stiffness = e.weight * glm::dot(gi, e.gradients[static_cast<std::size_t>(j)]);
-          for (unsigned r = 0; r < 2; ++r)
-            for (unsigned c = 0; c < 2; ++c)
-              if (2 * e.corners[i] + r >= 2 * e.corners[j] + c)
-                m_matrix.valuePtr()[m_slots[slot++]] +=
-                    stiffness * proxy.weight[static_cast<int>(c)][static_cast<int>(r)];
+          for (int r = 0; r < 2; ++r)
+            for (int c = 0; c < 2; ++c)
+              if (unknown(e.corners[i], r) >= unknown(e.corners[j], c))
+                m_matrix.valuePtr()[m_slots[slot++]] += stiffness * proxy.weight[c][r];
         }
       }
     }

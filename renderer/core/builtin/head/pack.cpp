@@ -61,17 +61,18 @@ std::optional<Mask> maskOf(const FlatPiece& piece, float cellsPerMillimetre) {
   return mask;
 }
 
+std::size_t rowIndex(int y, int row) { return static_cast<std::size_t>(y) + static_cast<std::size_t>(row); }
+Row shifted(const Mask& mask, int row, int x) {
+  return mask.rows[static_cast<std::size_t>(row)] << static_cast<std::size_t>(x);
+}
+
 std::optional<glm::ivec2> place(const Mask& mask, std::vector<Row>& taken) {
   for (int y = 0; y + mask.height <= kGrid; ++y)
     for (int x = 0; x + mask.width <= kGrid; ++x) {
       bool free = true;
-      for (int r = 0; free && r < mask.height; ++r)
-        free = (mask.rows[static_cast<std::size_t>(r)] << static_cast<std::size_t>(x) &
-                taken[static_cast<std::size_t>(y + r)])
-                   .none();
+      for (int r = 0; free && r < mask.height; ++r) free = (shifted(mask, r, x) & taken[rowIndex(y, r)]).none();
       if (!free) continue;
-      for (int r = 0; r < mask.height; ++r)
-        taken[static_cast<std::size_t>(y + r)] |= mask.rows[static_cast<std::size_t>(r)] << static_cast<std::size_t>(x);
+      for (int r = 0; r < mask.height; ++r) taken[rowIndex(y, r)] |= shifted(mask, r, x);
       return glm::ivec2(x, y);
     }
   return std::nullopt;
