@@ -73,8 +73,8 @@ TEST_F(LightingAccuracy, LookupsAgreeWithTheSumsOverAllPixels) {
   // Between the nodes lobes are mixed: a little wider a tolerance.
   constexpr std::array kRows = {Row{0.1F, 0.03},  Row{0.25F, 0.01}, Row{0.5F, 0.01}, Row{0.75F, 0.01}, Row{1.0F, 0.01},
                                 Row{0.15F, 0.03}, Row{0.3F, 0.02},  Row{0.4F, 0.02}, Row{0.6F, 0.02}};
-  std::vector<float> roughnesses;
-  for (const Row& row : kRows) roughnesses.push_back(row.roughness);
+  std::vector<float> roughnesses(kRows.size());
+  std::transform(kRows.begin(), kRows.end(), roughnesses.begin(), [](const Row& row) { return row.roughness; });
   auto environments = givenEnvironments();
   for (const NamedEnvironment& environment : testEnvironments())
     environments.emplace_back(environment.name, environment.images);
@@ -86,6 +86,7 @@ TEST_F(LightingAccuracy, LookupsAgreeWithTheSumsOverAllPixels) {
     for (const glm::vec3& d : cubeDirections26()) exact.push_back(exactLight(*images->latLong, d, roughnesses));
     std::vector<LightingQuery> queries;
     std::vector<glm::dvec3> want;
+    want.reserve(exact.size());
     for (const glm::vec3& d : cubeDirections26()) queries.push_back(LightingQuery::irradiance(d));
     for (const ExactLight& light : exact) want.push_back(light.irradiance);
     const double irradiance = relativeRms(probe(*map, queries), want);
