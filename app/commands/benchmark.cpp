@@ -180,7 +180,7 @@ Outcome<int> benchmark(const BenchmarkOptions& options) {
              size->y);
   line("load", load);
   line("start OpenGL", start);
-  line("bake the environment", bake);
+  line("bake light and mesh", bake);
   line("first frame", first);
   line("frame while moving", moving);
   passLines(passes);
