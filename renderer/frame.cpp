@@ -130,8 +130,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     uploadFrameBlock(frame, statistics);
     resources.bindLight();
     clear(frame);
-    const bool deferred = request.moving && m_software && wanted == kBeautyOnly && deferringPays(frame) &&
-                          m_targets.prepareSurfaces().has_value();
+    const bool deferred = m_software && deferringPays(*scene) && m_targets.prepareSurfaces().has_value();
     if (deferred) {
       const auto timed = m_timer.pass("geometry");
       geometryPass(frame);

@@ -135,6 +135,7 @@ class GlRenderer final : public Renderer {
     std::vector<gl::ProgramSources> need;
     std::vector<gl::ProgramSources> moving;
     const ResolvedScene& scene = *m_resources.scene();
+    const bool deferred = m_info.software && deferringPays(scene);
     const bool castShadows =
         std::ranges::any_of(scene.scene.lights, [](const Light& light) { return light.enabled && light.shadow; });
     for (std::size_t i = 0; i < scene.slots.size(); ++i) {
@@ -143,17 +144,21 @@ class GlRenderer final : public Renderer {
       const bool blended = isBlended(scene.slots[i].material);
       const bool mayDisplace = canDisplace(scene, i);
       const gl::ProgramSources surface = surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps);
-      need.push_back(surface);
+      // A picture that moves or doesn't, drawn in two steps.
+      const auto twoSteps = [&](bool move, std::vector<gl::ProgramSources>& list) {
+        list.push_back(deferredProgram(scene, i, move, surfaceOutputs(scene, withAovs, false)));
+        list.push_back(geometryProgram(scene, i, move, false));
+        if (mayDisplace) list.push_back(geometryProgram(scene, i, move, true));
+      };
+      if (deferred && !blended) {
+        twoSteps(false, need);
+        if (m_hasWindow && !withAovs) twoSteps(true, moving);
+      } else {
+        need.push_back(surface);
+        if (mayDisplace) need.push_back(tessellated(surface));
+      }
       if (castShadows) need.push_back(casterProgram(hasCutOuts(scene.slots[i].material)));
-      if (mayDisplace) {
-        need.push_back(tessellated(surface));
-        need.push_back(displacedCasterProgram());
-      }
-      if (m_info.software && m_hasWindow && !withAovs && !blended) {
-        moving.push_back(deferredProgram(scene, i, surfaceOutputs(scene, false, false)));
-        moving.push_back(geometryProgram(scene, i, false));
-        if (mayDisplace) moving.push_back(geometryProgram(scene, i, true));
-      }
+      if (mayDisplace) need.push_back(displacedCasterProgram());
     }
     if (isSplit(scene) || withAovs) {
       const std::size_t profiles = profileCount(scene);

@@ -57,7 +57,7 @@ Geometry Geometry::upload(const Model& model) {
     Bounds bounds;
     for (std::uint32_t i = 0; i < part.indexCount; ++i)
       bounds.grow(model.positions[model.indices[part.firstIndex + i]]);
-    geometry.m_partCentres.push_back(bounds.centre());
+    geometry.m_partBounds.push_back(bounds);
   }
   return geometry;
 }

@@ -27,13 +27,13 @@ class Geometry {
   /// A part as patches, for a tessellated program in use; `seamUniform` is where its u_displace_seam is.
   void drawPatches(std::size_t part, GLint seamUniform) const;
   [[nodiscard]] const DisplacementDensity& displacementDensity(std::size_t part) const { return m_densities.at(part); }
-  /// Middle of each part's bounds, parallel to Model::parts: blended parts are sorted by it.
-  [[nodiscard]] const std::vector<glm::vec3>& partCentres() const { return m_partCentres; }
+  /// Of each part without displacement, parallel to Model::parts.
+  [[nodiscard]] const std::vector<Bounds>& partBounds() const { return m_partBounds; }
 
  private:
   gl::VertexArray m_vertexArray;
   gl::Buffer m_vertices, m_indices, m_baked;
-  std::vector<glm::vec3> m_partCentres;
+  std::vector<Bounds> m_partBounds;
   /// A part's triangles that lie on no seam, then those that do, whose seams have consecutive numbers.
   struct Patches {
     std::uint32_t firstIndex = 0, plainIndices = 0, seamIndices = 0;

@@ -109,13 +109,18 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
   return true;
 }
 
+void RenderTargets::prepareSurfaceOrSpread() {
+  // 32 bits, because coordinates and depths need them.
+  if (!m_surfaceOrSpread)
+    m_surfaceOrSpread = gl::Texture::create(
+        {.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "surface, then spread along one axis"});
+}
+
 Result<void> RenderTargets::prepareSpread() {
-  if (m_spread) return {};
-  // 32 bits, because it carries the depth.
-  m_spread = gl::Texture::create(
-      {.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "spread along one axis"});
+  if (m_spreading) return {};
+  prepareSurfaceOrSpread();
   m_spreading = gl::Framebuffer::create("spread along one axis");
-  m_spreading.attachColour(0, m_spread);
+  m_spreading.attachColour(0, m_surfaceOrSpread);
   m_spreading.attachDepth(m_depth);
   m_spreading.drawTo(1);
   return m_spreading.check();
@@ -123,32 +128,33 @@ Result<void> RenderTargets::prepareSpread() {
 
 Result<void> RenderTargets::prepareSurfaces() {
   if (m_surfaces) return {};
-  m_surface = gl::Texture::create({.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "surface"});
-  m_tangent = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "tangent"});
-  m_sky = gl::Texture::create({.format = GL_RGBA8, .width = m_size.x, .height = m_size.y, .label = "sky share"});
-  m_far = gl::Texture::create({.format = GL_RGBA16F, .width = m_size.x, .height = m_size.y, .label = "far side"});
-  m_bounce =
-      gl::Texture::create({.format = GL_R11F_G11F_B10F, .width = m_size.x, .height = m_size.y, .label = "bounce"});
+  const auto image = [&](GLenum format, const char* label) {
+    return gl::Texture::create({.format = format, .width = m_size.x, .height = m_size.y, .label = label});
+  };
+  prepareSurfaceOrSpread();
+  m_tangent = image(GL_RGBA16F, "tangent");
+  m_sky = image(GL_RGBA16F, "sky share");
+  m_far = image(GL_RGBA16F, "far side");
+  m_bounce = image(GL_RGBA16F, "bounce");
+  m_gradients = image(GL_RGBA16F, "gradients of uv");
   m_surfaces = gl::Framebuffer::create("surfaces");
-  m_surfaces.attachColour(0, m_surface);
-  m_surfaces.attachColour(1, m_tangent);
-  m_surfaces.attachColour(2, m_sky);
-  m_surfaces.attachColour(3, m_far);
-  m_surfaces.attachColour(4, m_bounce);
+  GLuint place = 0;
+  for (const gl::Texture* each : {&m_surfaceOrSpread, &m_tangent, &m_sky, &m_far, &m_bounce, &m_gradients})
+    m_surfaces.attachColour(place++, *each);
   m_surfaces.attachDepth(m_depth);
-  m_surfaces.drawTo(5);
   return m_surfaces.check();
 }
 
 void RenderTargets::bindSurfaces() const {
   constexpr GLuint kFirstUnit = 21;
-  m_surface.bind(kFirstUnit);
+  m_surfaceOrSpread.bind(kFirstUnit);
   m_tangent.bind(kFirstUnit + 1);
   m_depth.bind(kFirstUnit + 2);
   constexpr GLuint kBakedUnit = 29;
   m_sky.bind(kBakedUnit);
   m_far.bind(kBakedUnit + 1);
   m_bounce.bind(kBakedUnit + 2);
+  m_gradients.bind(kBakedUnit + 3);
 }
 
 Result<void> RenderTargets::prepareSums(SceneImages images) {

@@ -59,6 +59,8 @@ void beginOpaque(const FrameContext& frame) {
   frame.resources.geometry().bind();
 }
 
+constexpr const char* kGradients = "DERMIS_GRADIENTS";  // how far a map moves from pixel to pixel is kept
+
 std::string mapsDefine(int maps) { return "DERMIS_MAPS " + std::to_string(maps); }
 
 }  // namespace
@@ -97,33 +99,36 @@ void surfacePass(const FrameContext& frame) {
   frame.resources.unbindSamplers();
 }
 
-gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool displaced) {
+gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool moving, bool displaced) {
   gl::ProgramSources sources;
   sources.vertex = "surface.vert";
   sources.fragment = "geometry.frag";
-  if (scene.slots[slot].material.model == ShadingModel::Skin)
+  if (!moving) {
+    sources.defines = {std::string(kGradients)};
+  } else if (scene.slots[slot].material.model == ShadingModel::Skin) {
     sources.defines = {"DERMIS_FAR_LAMPS", mapsDefine(presentMaps(scene, slot))};
+  }
   return displaced ? tessellated(std::move(sources)) : sources;
 }
 
-gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, SurfaceOutputs outputs) {
+gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, bool moving, SurfaceOutputs outputs) {
   gl::ProgramSources sources = surfaceProgram(scene.slots[slot].material.model, outputs, presentMaps(scene, slot));
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
+  sources.defines.emplace_back(moving ? "DERMIS_MOVING" : kGradients);
   return sources;
 }
 
-bool deferringPays(const FrameContext& frame) {
+bool deferringPays(const ResolvedScene& scene) {
   constexpr std::size_t kMostParts = 4;  // each costs a look at every pixel of the model's rectangle
   constexpr std::size_t kLeastTriangles = 8000;
-  const Model& model = *frame.scene.model;
   std::size_t opaque = 0;
-  for (const ModelPart& part : model.parts) {
-    const SlotResources& slot = frame.resources.slots()[part.slot];
-    if (slot.hasCutOuts) return false;
-    opaque += slot.kind == DrawKind::Opaque ? 1 : 0;
+  for (const ModelPart& part : scene.model->parts) {
+    const Material& material = scene.slots[part.slot].material;
+    if (hasCutOuts(material)) return false;
+    opaque += isBlended(material) ? 0 : 1;
   }
-  return opaque > 0 && opaque <= kMostParts && model.indices.size() / 3 >= kLeastTriangles;
+  return opaque > 0 && opaque <= kMostParts && scene.model->indices.size() / 3 >= kLeastTriangles;
 }
 
 void geometryPass(const FrameContext& frame) {
@@ -132,12 +137,14 @@ void geometryPass(const FrameContext& frame) {
   // Zero in the tangent's image says that nothing is there.
   const std::array<GLfloat, 4> nothing = {0.0F, 0.0F, 0.0F, 0.0F};
   glClearNamedFramebufferfv(frame.targets.surfaces().id(), GL_COLOR, 1, nothing.data());
+  frame.targets.surfaces().drawTo(frame.request.moving ? 5 : 6);
   frame.targets.surfaces().bind();
   beginOpaque(frame);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const SlotResources& slot = slots[parts[i].slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program = frame.useProgram(geometryProgram(frame.scene, parts[i].slot, slot.displaced));
+    const gl::Program* program =
+        frame.useProgram(geometryProgram(frame.scene, parts[i].slot, frame.request.moving, slot.displaced));
     if (program == nullptr) continue;
     frame.resources.bindSlot(slot);
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
@@ -148,8 +155,6 @@ void geometryPass(const FrameContext& frame) {
 
 void shadingPass(const FrameContext& frame) {
   const auto& slots = frame.resources.slots();
-  const PixelArea area = screenArea(frame.camera, frame.resources.bounds(), frame.request.size);
-  const glm::ivec2 extent = area.upper - area.lower;
   frame.targets.scene().bind();
   frame.targets.bindSurfaces();
   // Only where the model is: the triangle lies on the far plane. The depth is read by the shader too, and not written.
@@ -158,11 +163,18 @@ void shadingPass(const FrameContext& frame) {
   glDepthMask(GL_FALSE);
   glDisable(GL_CULL_FACE);
   glEnable(GL_SCISSOR_TEST);
-  glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
-  for (const ModelPart& part : frame.scene.model->parts) {
+  const auto& parts = frame.scene.model->parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ModelPart& part = parts[i];
     const SlotResources& slot = slots[part.slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program = frame.useProgram(deferredProgram(frame.scene, part.slot, outputsOf(frame, false)));
+    // Programs run for pixels of other slots too before they find out.
+    const Bounds& bounds = slot.displaced ? frame.resources.bounds() : frame.resources.geometry().partBounds()[i];
+    const PixelArea area = screenArea(frame.camera, bounds, frame.request.size);
+    const glm::ivec2 extent = area.upper - area.lower;
+    glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
+    const gl::Program* program =
+        frame.useProgram(deferredProgram(frame.scene, part.slot, frame.request.moving, outputsOf(frame, false)));
     if (program == nullptr) continue;
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(part.slot));
     frame.resources.bindSlot(slot);
@@ -185,7 +197,7 @@ void transparentPass(const FrameContext& frame) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (frame.resources.slots()[parts[i].slot].kind != DrawKind::Opaque) order.push_back(i);
   const auto depthOf = [&](std::size_t i) {
-    return glm::dot(frame.resources.geometry().partCentres()[i] - frame.camera.position, frame.camera.forward);
+    return glm::dot(frame.resources.geometry().partBounds()[i].centre() - frame.camera.position, frame.camera.forward);
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depthOf(a) > depthOf(b); });
 

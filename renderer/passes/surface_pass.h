@@ -20,15 +20,18 @@ enum class SurfaceOutputs { Picture, Split, Everything, BlendedEverything };
 /// Opaque parts, depth tested and written.
 void surfacePass(const FrameContext& frame);
 
-/// The same in two steps, for moving pictures on software GL: geometry first, then each pixel is shaded once. Maps are
-/// a touch blurred along silhouettes and seams, where neighbouring pixels are no neighbours on the surface.
+/// The same in two steps, for software GL, where a small triangle costs as much as sixteen pixels: geometry first, then
+/// each pixel is shaded once. A still picture is the one that surfacePass draws, but for rounding; a moving one takes
+/// short cuts (DERMIS_MOVING), and its maps are a touch blurred along silhouettes and seams.
 void geometryPass(const FrameContext& frame);
 void shadingPass(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
-[[nodiscard]] bool deferringPays(const FrameContext& frame);
+[[nodiscard]] bool deferringPays(const ResolvedScene& scene);
 /// Their programs, of a slot, with its present maps as a constant.
-[[nodiscard]] gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool displaced);
-[[nodiscard]] gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, SurfaceOutputs outputs);
+[[nodiscard]] gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool moving,
+                                                 bool displaced);
+[[nodiscard]] gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, bool moving,
+                                                 SurfaceOutputs outputs);
 
 /// Lenses and blended materials, premultiplied over what is there, far ones first. A blended part shows its back faces,
 /// then its front ones; its own triangles are not sorted further.

@@ -9,7 +9,7 @@
 // slope comes from four taps half a texel from the point, which is Sobel's filter on texels: continuous, where the difference of two
 // bilinear values is not.
 vec3 displacedNormal(vec3 normal, vec2 uv, vec3 gradient_u, vec3 gradient_v, float curvature) {
-  vec2 st = mapUv(kMapDisplacement, uv);
+  vec2 st = uv * mapTiling(kMapDisplacement);
   float lod = max(textureQueryLod(u_map_displacement, st).y, 0.0);
   vec2 reach = 0.5 * exp2(lod) / vec2(textureSize(u_map_displacement, 0));
   vec4 h = vec4(heightOf(texture(u_map_displacement, st - reach)),

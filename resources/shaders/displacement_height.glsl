@@ -12,6 +12,6 @@ float heightOf(vec4 texel) {
   return (value - u_material.surface_displacement_midlevel) * u_material.surface_displacement_mm / u_units.x;
 }
 
-float heightLod(vec2 uv, float lod) { return heightOf(textureLod(u_map_displacement, mapUv(kMapDisplacement, uv), lod)); }
+float heightLod(vec2 uv, float lod) { return heightOf(textureLod(u_map_displacement, uv * mapTiling(kMapDisplacement), lod)); }
 
 #endif

@@ -23,6 +23,9 @@ layout(location = 1) out vec4 o_tangent;  // tangent; (slot + 1) · 4 + 2 if fro
 layout(location = 2) out vec4 o_sky;  // as surface.vert leaves them
 layout(location = 3) out vec4 o_far;
 layout(location = 4) out vec4 o_bounce;
+#ifdef DERMIS_GRADIENTS
+layout(location = 5) out vec4 o_gradients;  // of uv, along x and y of the screen
+#endif
 
 void main() {
   vec3 normal = v_normal;
@@ -34,4 +37,7 @@ void main() {
   o_sky = v_sky;
   o_far = v_far;
   o_bounce = vec4(v_bounce, 0.0);
+#ifdef DERMIS_GRADIENTS
+  o_gradients = vec4(dFdx(v_uv), dFdy(v_uv));
+#endif
 }

@@ -42,25 +42,34 @@ bool hasMap(int slot) { return (DERMIS_MAPS & (1 << slot)) != 0; }
 bool hasMap(int slot) { return (u_map_bits.x & (1 << slot)) != 0; }
 #endif
 
-vec2 mapUv(int slot, vec2 uv) { return uv * u_maps[slot].transform.zw; }
+vec2 mapTiling(int slot) { return u_maps[slot].transform.zw; }
+
+// A texel as blurred as the pixel is large.
+vec4 texelAt(sampler2D map, MapPlace at, vec2 tiling) {
+#ifdef DERMIS_GRADIENTS
+  return textureGrad(map, at.uv * tiling, at.dx * tiling, at.dy * tiling);
+#else
+  return texture(map, at.uv * tiling);
+#endif
+}
 
 // A data map's value, channel chosen, inverted and scaled as the slot says; 1 where there is no map.
-float scalarMap(sampler2D map, int slot, vec2 uv) {
+float scalarMap(sampler2D map, int slot, MapPlace at) {
   if (!hasMap(slot)) return 1.0;
-  return dot(texture(map, mapUv(slot, uv)), u_maps[slot].channel) * u_maps[slot].transform.x + u_maps[slot].transform.y;
+  return dot(texelAt(map, at, mapTiling(slot)), u_maps[slot].channel) * u_maps[slot].transform.x + u_maps[slot].transform.y;
 }
 
 // A colour map's value with its alpha; 1 where there is no map.
-vec4 colourMap(sampler2D map, int slot, vec2 uv) {
+vec4 colourMap(sampler2D map, int slot, MapPlace at) {
   if (!hasMap(slot)) return vec4(1.0);
-  vec4 texel = texture(map, mapUv(slot, uv));
+  vec4 texel = texelAt(map, at, mapTiling(slot));
   return vec4(max(texel.rgb * u_maps[slot].transform.x + u_maps[slot].transform.y, 0.0), texel.a);
 }
 
 // How much image light the occlusion map leaves: strength 0 ignores the map (glTF 2.0, occlusionTexture.strength).
-float occlusionMap(vec2 uv, float strength) {
+float occlusionMap(MapPlace at, float strength) {
   if (!hasMap(kMapOcclusion)) return 1.0;
-  return 1.0 + strength * (clamp(scalarMap(u_map_occlusion, kMapOcclusion, uv), 0.0, 1.0) - 1.0);
+  return 1.0 + strength * (clamp(scalarMap(u_map_occlusion, kMapOcclusion, at), 0.0, 1.0) - 1.0);
 }
 
 // Interreflection where only the occlusion is known: a surface that sees the share `visibility` of the sky sees itself, and light on it,
@@ -91,8 +100,8 @@ struct MappedNormal {
 // A normal map's texel as a direction in the tangent frame, its slope multiplied by `strength` and by the slot's scale. Where a pixel
 // holds many texels their mean is shorter than 1; by how much tells their variance (Toksvig 2005, "Mipmapping Normal Maps"): a slope's
 // variance σ² along each axis leaves a length of 1 / (1 + σ²). Eight bits leave a length uncertain by half a percent, which is none.
-MappedNormal tangentNormal(sampler2D map, int slot, vec2 uv, float strength) {
-  vec3 n = texture(map, uv).xyz * 2.0 - 1.0;
+MappedNormal tangentNormal(sampler2D map, int slot, MapPlace at, vec2 tiling, float strength) {
+  vec3 n = texelAt(map, at, tiling).xyz * 2.0 - 1.0;
   float shortened = clamp(length(n), 0.25, 0.995);
   if ((u_map_bits.y & (1 << slot)) != 0) n.y = -n.y;
   float factor = strength * abs(u_maps[slot].transform.x);
@@ -122,7 +131,7 @@ vec3 worldNormal(Surface s, vec3 n) {
 // The normal that is lit: the vertex normal bent by the normal map.
 MappedNormal mappedNormal(Surface s, float strength) {
   if (!hasMap(kMapNormal) || u_map_bits.z == 0) return MappedNormal(facingNormal(s), 0.0);
-  MappedNormal base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
+  MappedNormal base = tangentNormal(u_map_normal, kMapNormal, s.uv, mapTiling(kMapNormal), strength);
   return MappedNormal(worldNormal(s, base.normal), base.variance);
 }
 
@@ -131,11 +140,11 @@ MappedNormal mappedNormalWithDetail(Surface s, float strength, float detail_stre
   bool based = hasMap(kMapNormal), detailed = hasMap(kMapDetailNormal) && detail_strength != 0.0;
   if (u_map_bits.z == 0 || !(based || detailed)) return MappedNormal(facingNormal(s), 0.0);
   MappedNormal base = MappedNormal(vec3(0.0, 0.0, 1.0), 0.0);
-  if (based) base = tangentNormal(u_map_normal, kMapNormal, mapUv(kMapNormal, s.uv), strength);
+  if (based) base = tangentNormal(u_map_normal, kMapNormal, s.uv, mapTiling(kMapNormal), strength);
   if (!detailed) return MappedNormal(worldNormal(s, base.normal), base.variance);
   float mask = clamp(scalarMap(u_map_detail_mask, kMapDetailMask, s.uv), 0.0, 1.0);
-  vec2 uv = mapUv(kMapDetailNormal, s.uv) * detail_tiling;
-  MappedNormal detail = tangentNormal(u_map_detail_normal, kMapDetailNormal, uv, detail_strength * mask);
+  vec2 tiling = mapTiling(kMapDetailNormal) * detail_tiling;
+  MappedNormal detail = tangentNormal(u_map_detail_normal, kMapDetailNormal, s.uv, tiling, detail_strength * mask);
   return MappedNormal(worldNormal(s, reorientedNormal(base.normal, detail.normal)), base.variance + detail.variance);
 }
 

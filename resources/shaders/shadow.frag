@@ -6,7 +6,7 @@
 in vec2 v_uv;
 
 void main() {
-  float alpha = u_material.metallic_roughness_opacity * colourMap(u_map_albedo, kMapAlbedo, v_uv).a;
+  float alpha = u_material.metallic_roughness_opacity * colourMap(u_map_albedo, kMapAlbedo, MapPlace(v_uv, vec2(0.0), vec2(0.0))).a;
   if (alpha < u_material.metallic_roughness_alpha_cutoff) discard;
 }
 #else

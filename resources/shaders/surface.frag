@@ -13,6 +13,9 @@ layout(binding = 23) uniform sampler2D u_depth;
 layout(binding = 29) uniform sampler2D u_sky;
 layout(binding = 30) uniform sampler2D u_far;
 layout(binding = 31) uniform sampler2D u_bounce;
+#ifdef DERMIS_GRADIENTS
+layout(binding = 32) uniform sampler2D u_gradients;
+#endif
 uniform int u_slot;  // shades the pixels of this one
 #else
 in vec3 v_position;
@@ -66,9 +69,13 @@ Surface surfaceHere() {
   Surface s;
   s.position = world.xyz / world.w;
   s.normal = fromOctahedron(surface.zw);
-  s.geometric_normal = s.normal;
   s.tangent = vec4(tangent.xyz, (code & 1) != 0 ? 1.0 : -1.0);
-  s.uv = surface.xy;
+  s.uv.uv = surface.xy;
+#ifdef DERMIS_GRADIENTS
+  vec4 gradients = texelFetch(u_gradients, pixel, 0);
+  s.uv.dx = gradients.xy;
+  s.uv.dy = gradients.zw;
+#endif
   s.front_facing = (code & 2) != 0;
   vec4 sky = texelFetch(u_sky, pixel, 0), far = texelFetch(u_far, pixel, 0);
   s.sky_share = sky.rgb;
@@ -86,9 +93,8 @@ Surface surfaceHere() {
 #ifdef DERMIS_DISPLACED
   s.normal = displacedNormal(s.normal, v_uv, v_gradient_u, v_gradient_v, v_curvature);
 #endif
-  s.geometric_normal = normalize(cross(dFdx(v_position), dFdy(v_position)));
   s.tangent = v_tangent;
-  s.uv = v_uv;
+  s.uv.uv = v_uv;
   s.front_facing = gl_FrontFacing;
   s.sky_share = v_sky.rgb;
   s.baked_occlusion = v_sky.a;

@@ -3,13 +3,20 @@
 #ifndef DERMIS_SURFACE_TYPES
 #define DERMIS_SURFACE_TYPES
 
+// Where maps are read, and how far that moves from one pixel to the next, which tells how blurred: set where the driver can't know,
+// because the pixels beside this one may show another part of the mesh.
+struct MapPlace {
+  vec2 uv;
+  vec2 dx;
+  vec2 dy;
+};
+
 struct Surface {
   vec3 position;
-  vec3 normal;            // interpolated vertex normal, unit
-  vec3 geometric_normal;  // of the triangle, unit
-  vec4 tangent;           // xyz unit, w = ±1: bitangent = w · cross(normal, tangent); xyz = 0 where the mesh has none
-  vec3 view;              // unit, from the point to the camera
-  vec2 uv;
+  vec3 normal;   // interpolated vertex normal, unit
+  vec4 tangent;  // xyz unit, w = ±1: bitangent = w · cross(normal, tangent); xyz = 0 where the mesh has none
+  vec3 view;     // unit, from the point to the camera
+  MapPlace uv;
   bool front_facing;
   float baked_occlusion;     // share of the sky that the mesh itself leaves free; 1 where nothing is known
   float baked_thickness_mm;  // of the material behind the point; negative where nothing is known

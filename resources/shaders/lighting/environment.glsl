@@ -21,7 +21,7 @@ vec3 environmentPrefiltered(vec3 r_world, float perceptual_roughness) {
   float octaves = log2(max(r, 0.1));
   float node = 10.0 * min(r, 0.1) + (8.0 / 1.32192809) * min(octaves + 3.32192809, 1.32192809) +
                5.0 * clamp(octaves + 2.0, 0.0, 1.0) + 12.0 * clamp(r - 0.5, 0.0, 0.5);
-#ifdef DERMIS_DEFERRED
+#ifdef DERMIS_MOVING
   // A moving picture on software GL takes the nearest node: at most 7 % off in roughness.
   float nearest = floor(node + 0.5), nearest_level = floor((nearest + 0.5) / 7.0);
   vec4 place = vec4(mat3(u_environment_from_world) * r_world, nearest - 7.0 * nearest_level);

@@ -13,10 +13,10 @@
 #include "lighting/environment.glsl"
 
 // Number of directions of this sample: none while moving, nor for pictures of a few samples, which would stay noisy. A still picture
-// begins without, so that it doesn't flicker when a drag ends; the later samples make up for that. Software GL draws moving pictures
-// deferred, and would run through all of it to add nothing.
+// begins without, so that it doesn't flicker when a drag ends; the later samples make up for that. Software GL
+// would run through all of it to add nothing while moving.
 const int kSmoothSamples = 8;
-#ifdef DERMIS_DEFERRED
+#ifdef DERMIS_MOVING
 int lobeSamples() { return 0; }
 #else
 int lobeSamples() { return u_sampling.w >= 32 && u_sampling.x >= kSmoothSamples ? 1 : 0; }

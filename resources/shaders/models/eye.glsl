@@ -15,7 +15,7 @@ struct EyeSight {
   float window;       // share of it that is cornea
   float axis_mm;      // distance from the axis of the sclera or iris seen
   vec2 iris;          // place on the iris, mm
-  vec2 uv;
+  MapPlace uv;
   vec3 cornea_normal;  // world
   mat3 world_from_eye;
 };
@@ -50,7 +50,7 @@ EyeSight eyeSight(Surface s, EyeShape shape) {
   sight.axis_mm = mix(on_sphere, length(sight.iris), sight.window);
   vec2 shift = (sight.iris - point.xy) * (sight.window / kEyeballRadiusMm);
   vec4 gradient = u_eye_uv[nearest];
-  sight.uv += vec2(dot(gradient.xy, shift), dot(gradient.zw, shift));
+  sight.uv.uv += vec2(dot(gradient.xy, shift), dot(gradient.zw, shift));
   sight.cornea_normal = sight.world_from_eye * corneaNormal(shape, entry.xyz);
   return sight;
 }

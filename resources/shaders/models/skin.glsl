@@ -69,7 +69,7 @@ vec3 lampsThrough(Layer layer, LayerPoint p, SlabScattering scattering, vec3 pos
 // to the environment's light on the far side, so the slab's share is taken out again. The body has the mean albedo here.
 vec4 farSideWithLamps(vec3 position, vec3 normal, vec2 uv, vec4 far) {
   Surface s;
-  s.uv = uv;
+  s.uv.uv = uv;
   s.baked_thickness_mm = far.a;
   float thickness_mm = bodyThicknessMm(s);
   Layer layer = twoLobes(u_material.specular_perceptual_roughness, 0.0, u_material.specular_intensity);
@@ -113,7 +113,7 @@ Shading shade(Surface s) {
   // Light through the body, from lamps and environment behind it.
   result.thickness_mm = bodyThicknessMm(s);
   SlabScattering scattering = slabScattering(albedo, u_scattering.rgb, int(u_scattering.w));
-#ifdef DERMIS_DEFERRED
+#ifdef DERMIS_MOVING
   const vec3 lamps_through = vec3(0.0);  // farSideWithLamps has added it to s.far_light
 #else
   vec3 lamps_through =
