@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include "app/commands/look.h"
 #include "app/commands/metadata.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/safety_net.h"
 #include "ui/theme/theme.h"
 
 namespace dermis {
@@ -114,6 +116,7 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
   window.setPictureMetadata(metadataOf);
   window.show();
   window.open(files);
+  QTimer::singleShot(0, &window, [&window] { window.safetyNet()->offerLostWork(); });
   return QApplication::exec();
 }
 

@@ -78,6 +78,8 @@ class Document : public QObject {
   void setCurrentSlot(const QString& slot);
   /// A new or opened scene: forgets the undo history. `path` empty: untitled.
   void replace(const ResolvedScene& scene, const std::filesystem::path& path);
+  /// What is open differs from its file though there is nothing to undo.
+  void markUnsaved() { m_undo.resetClean(); }
   void markSaved(const std::filesystem::path& path);
   /// The slot's material is now what `presetPath` holds.
   void markPresetSaved(const QString& slot, const std::filesystem::path& presetPath);

@@ -129,6 +129,18 @@ void Loading::openScene(const std::filesystem::path& path) {
       });
 }
 
+void Loading::openUnsaved(const Scene& scene, const std::filesystem::path& path, std::function<void()> done) {
+  run(
+      QStringLiteral("scene"), tr("Recovering the scene"),
+      [scene](const ResolveOptions& options, Warnings& warnings) { return resolveScene(scene, {}, options, warnings); },
+      [this, path, done = std::move(done)](ResolvedScene&& resolved) {
+        m_document.replace(resolved, path);
+        m_document.markUnsaved();
+        done();
+        Q_EMIT finished();
+      });
+}
+
 void Loading::openModel(const ModelSource& source) {
   Scene only;
   only.model = source;

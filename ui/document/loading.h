@@ -29,6 +29,8 @@ class Loading : public QObject {
   /// The embedded default look, untitled.
   void newScene();
   void openScene(const std::filesystem::path& path);
+  /// Work that never reached a file: the document is modified from the start. `done` follows once it is in place.
+  void openUnsaved(const Scene& scene, const std::filesystem::path& path, std::function<void()> done);
   void openModel(const ModelSource& source);
   /// `preset` is a path or "builtin:NAME".
   void applyPreset(const std::string& preset, const QString& slot);

@@ -24,6 +24,7 @@
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/message_bar.h"
+#include "ui/main_window/safety_net.h"
 #include "ui/text.h"
 #include "ui/viewport/viewport.h"
 
@@ -34,6 +35,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
   resize(1600, 1000);
   m_files = new FileActions(m_document, m_loading, this);
+  m_safetyNet = new SafetyNet(m_document, m_loading, this);
   buildCentre();
   buildDocks();
   buildStatusBar();
@@ -236,6 +238,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   m_tasks.cancelAll();
   m_docks->save();
+  m_safetyNet->autosave().discard();
   event->accept();
 }
 

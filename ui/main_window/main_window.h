@@ -29,6 +29,7 @@ class LogPanel;
 class MaterialPanel;
 class MessageBar;
 class PresetsPanel;
+class SafetyNet;
 class TexturesPanel;
 class Viewport;
 
@@ -50,6 +51,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TaskRunner& tasks() { return m_tasks; }
   [[nodiscard]] Viewport* viewport() const { return m_viewport; }
   [[nodiscard]] FileActions* fileActions() const { return m_files; }
+  [[nodiscard]] SafetyNet* safetyNet() const { return m_safetyNet; }
   [[nodiscard]] MessageBar* messageBar() const { return m_messages; }
 
  protected:
@@ -83,6 +85,7 @@ class MainWindow : public QMainWindow {
   Loading m_loading{m_document, m_tasks};
   PictureMetadata m_metadata;
   FileActions* m_files = nullptr;
+  SafetyNet* m_safetyNet = nullptr;
   DockLayout* m_docks = nullptr;
   Viewport* m_viewport = nullptr;
   MessageBar* m_messages = nullptr;
