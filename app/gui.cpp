@@ -18,6 +18,7 @@
 #include "app/commands/metadata.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/safety_net.h"
+#include "ui/preferences/preferences.h"
 #include "ui/theme/theme.h"
 
 namespace dermis {
@@ -107,10 +108,13 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
   QApplication::setApplicationName(QStringLiteral("dermis"));
   QApplication::setApplicationDisplayName(QString());
   QApplication::setApplicationVersion(QStringLiteral(DERMIS_VERSION));
+  // Qt reads it once, before there is a screen. What the environment says stands above what is stored.
+  if (variable("QT_SCALE_FACTOR").empty() && storedInterfaceScale() != 1.0)
+    qputenv("QT_SCALE_FACTOR", QByteArray::number(storedInterfaceScale()));
   QApplication application(argc, argv);
   // QApplication adopts the user's locale; a decimal comma must not reach strtod in any library below us.
   std::setlocale(LC_NUMERIC, "C");
-  applyTheme(application);
+  applyTheme(application, Preferences().values().theme);
 
   MainWindow window;
   window.setPictureMetadata(metadataOf);

@@ -57,7 +57,7 @@ void TextureRow::buildHead() {
   m_thumbnail->setFixedSize(kThumbnailSide, kThumbnailSide);
   m_thumbnail->setAlignment(Qt::AlignCenter);
   m_thumbnail->setProperty("quiet", true);
-  m_thumbnail->setStyleSheet(QStringLiteral("background: #2a2a2a; border-radius: 3px;"));
+  m_thumbnail->setProperty("thumbnailWell", true);
   head->addWidget(m_thumbnail);
   auto* words = new QVBoxLayout();
   words->setSpacing(1);

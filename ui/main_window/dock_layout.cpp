@@ -97,6 +97,13 @@ void DockLayout::reset() {
   arrange();
 }
 
+QByteArray DockLayout::state() const { return m_window.saveState(kStateVersion); }
+
+void DockLayout::setState(const QByteArray& state) {
+  m_window.restoreState(state, kStateVersion);
+  refreshTitleBars();
+}
+
 void DockLayout::toggleAll() {
   QList<QDockWidget*> shown;
   for (QDockWidget* dock : m_docks)

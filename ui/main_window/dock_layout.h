@@ -20,6 +20,9 @@ class DockLayout : public QObject {
   void restore();
   void save() const;
   void reset();
+  /// Where each dock stands, to be kept under a name.
+  [[nodiscard]] QByteArray state() const;
+  void setState(const QByteArray& state);
   /// Hides all, or brings back those that were hidden.
   void toggleAll();
 

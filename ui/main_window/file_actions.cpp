@@ -6,6 +6,8 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
+#include <map>
+#include <utility>
 
 #include "ui/docks/presets_panel.h"
 #include "ui/document/document.h"
@@ -15,7 +17,7 @@
 namespace dermis {
 namespace {
 const QString kRecentKey = QStringLiteral("recentFiles");
-constexpr int kRecent = 12;
+constexpr int kRecent = 8;
 }  // namespace
 
 FileActions::FileActions(Document& document, Loading& loading, QWidget* window)
@@ -161,16 +163,31 @@ void FileActions::remember(const QString& path) {
   QStringList recent = settings.value(kRecentKey).toStringList();
   recent.removeAll(path);
   recent.prepend(path);
-  settings.setValue(kRecentKey, recent.mid(0, kRecent));
+  // So many of each kind: a folder of presets tried one after another must not push out the scenes.
+  std::map<FileKind, int> counts;
+  recent.removeIf([&](const QString& file) { return ++counts[fileKind(toPath(file))] > kRecent; });
+  settings.setValue(kRecentKey, recent);
 }
 
 void FileActions::fillRecentMenu(QMenu* menu) {
   menu->clear();
-  for (const QString& path : QSettings().value(kRecentKey).toStringList()) {
-    QAction* action = menu->addAction(QFileInfo(path).fileName());
-    action->setToolTip(path);
-    action->setEnabled(QFileInfo::exists(path));
-    connect(action, &QAction::triggered, this, [this, path] { open(path); });
+  const QStringList all = QSettings().value(kRecentKey).toStringList();
+  const std::pair<FileKind, QString> kinds[] = {{FileKind::Scene, tr("Scenes")},
+                                                {FileKind::Model, tr("Models")},
+                                                {FileKind::Preset, tr("Presets")},
+                                                {FileKind::Environment, tr("Environments")},
+                                                {FileKind::Image, tr("Images")}};
+  for (const auto& [kind, title] : kinds) {
+    bool first = true;
+    for (const QString& path : all) {
+      if (fileKind(toPath(path)) != kind) continue;
+      if (std::exchange(first, false)) menu->addSection(title);
+      const bool exists = QFileInfo::exists(path);
+      QAction* action = menu->addAction(QFileInfo(path).fileName());
+      action->setToolTip(exists ? path : tr("%1 is not there any more").arg(path));
+      action->setEnabled(exists);
+      connect(action, &QAction::triggered, this, [this, path] { open(path); });
+    }
   }
   if (menu->isEmpty()) menu->addAction(tr("None yet"))->setEnabled(false);
   menu->addSeparator();

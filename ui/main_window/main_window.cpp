@@ -9,13 +9,13 @@
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolButton>
-#include <QUndoView>
 #include <QVBoxLayout>
 
 #include "ui/dialogs/screenshot_dialog.h"
 #include "ui/docks/camera_panel.h"
 #include "ui/docks/diffusion_panel.h"
 #include "ui/docks/environment_panel.h"
+#include "ui/docks/history_panel.h"
 #include "ui/docks/lights_panel.h"
 #include "ui/docks/log_panel.h"
 #include "ui/docks/material_panel.h"
@@ -24,6 +24,7 @@
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/message_bar.h"
+#include "ui/main_window/program_actions.h"
 #include "ui/main_window/safety_net.h"
 #include "ui/text.h"
 #include "ui/viewport/viewport.h"
@@ -39,6 +40,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   buildCentre();
   buildDocks();
   buildStatusBar();
+  m_program = new ProgramActions({*this, m_preferences, *m_docks, *m_viewport, m_safetyNet->autosave()});
   buildMenus();
   connectParts();
   m_docks->restore();
@@ -70,9 +72,6 @@ void MainWindow::buildDocks() {
   m_diffusion = new DiffusionPanel(m_document, this);
   m_presets = new PresetsPanel(m_document, m_loading, this);
   m_log = new LogPanel(this);
-  auto* history = new QUndoView(&m_document.undoStack(), this);
-  history->setEmptyLabel(tr("As it was opened"));
-  history->setAccessibleName(tr("History"));
   m_docks->add(tr("Presets"), QStringLiteral("presets"), m_presets);
   m_docks->add(tr("Environment"), QStringLiteral("environment"), m_environment);
   m_docks->add(tr("Lights"), QStringLiteral("lights"), m_lights);
@@ -81,7 +80,7 @@ void MainWindow::buildDocks() {
   m_docks->add(tr("Material"), QStringLiteral("material"), m_material);
   m_docks->add(tr("Texture maps"), QStringLiteral("textures"), m_textures);
   m_docks->add(tr("Log"), QStringLiteral("log"), m_log);
-  m_docks->add(tr("History"), QStringLiteral("history"), history);
+  m_docks->add(tr("History"), QStringLiteral("history"), new HistoryPanel(m_document.undoStack(), this));
 }
 
 void MainWindow::buildStatusBar() {

@@ -11,6 +11,7 @@
 #include "ui/jobs/picture_job.h"
 #include "ui/jobs/task_runner.h"
 #include "ui/jobs/time_left.h"
+#include "ui/preferences/preferences.h"
 
 class QLabel;
 class QMenu;
@@ -29,6 +30,7 @@ class LogPanel;
 class MaterialPanel;
 class MessageBar;
 class PresetsPanel;
+class ProgramActions;
 class SafetyNet;
 class TexturesPanel;
 class Viewport;
@@ -51,6 +53,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TaskRunner& tasks() { return m_tasks; }
   [[nodiscard]] Viewport* viewport() const { return m_viewport; }
   [[nodiscard]] FileActions* fileActions() const { return m_files; }
+  [[nodiscard]] Preferences& preferences() { return m_preferences; }
+  [[nodiscard]] ProgramActions* programActions() const { return m_program; }
   [[nodiscard]] SafetyNet* safetyNet() const { return m_safetyNet; }
   [[nodiscard]] MessageBar* messageBar() const { return m_messages; }
 
@@ -84,8 +88,10 @@ class MainWindow : public QMainWindow {
   TaskRunner m_tasks;
   Loading m_loading{m_document, m_tasks};
   PictureMetadata m_metadata;
+  Preferences m_preferences;
   FileActions* m_files = nullptr;
   SafetyNet* m_safetyNet = nullptr;
+  ProgramActions* m_program = nullptr;
   DockLayout* m_docks = nullptr;
   Viewport* m_viewport = nullptr;
   MessageBar* m_messages = nullptr;

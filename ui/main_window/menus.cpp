@@ -12,6 +12,7 @@
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/program_actions.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
 #include "ui/viewport/hold_key.h"
@@ -41,6 +42,7 @@ void MainWindow::buildMenus() {
   buildRenderMenu();
   buildWindowMenu();
   buildHelpMenu();
+  m_program->finish();
 }
 
 void MainWindow::buildFileMenu() {
@@ -49,6 +51,7 @@ void MainWindow::buildFileMenu() {
   add(menu, "open", tr("&Open…"), QKeySequence::Open, this, [this] { m_files->open(); });
   QMenu* recent = menu->addMenu(tr("Open &recent"));
   recent->setToolTipsVisible(true);
+  recent->setProperty("changing", true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecentMenu(recent); });
   add(menu, nullptr, tr("Open &model…"), QKeySequence(QStringLiteral("Ctrl+M")), this,
       [this] { m_files->openModel(); });
@@ -81,6 +84,7 @@ void MainWindow::buildEditMenu() {
   add(menu, "search", tr("&Find parameter"), QKeySequence::Find, this, [this] { m_material->focusSearch(); });
   add(menu, "reset", tr("Re&vert material to its preset"), {}, this,
       [this] { m_loading.revertToPreset(m_document.currentSlot()); });
+  m_program->fillEditMenu(menu);
 }
 
 void MainWindow::buildViewMenu() {
@@ -172,28 +176,13 @@ void MainWindow::buildWindowMenu() {
   menu->addSeparator();
   add(menu, nullptr, tr("&Hide or show all panels"), QKeySequence(QStringLiteral("Ctrl+Tab")), this,
       [this] { m_docks->toggleAll(); });
+  m_program->fillWindowMenu(menu);
   add(menu, nullptr, tr("&Reset layout"), {}, this, [this] { m_docks->reset(); });
 }
 
 void MainWindow::buildHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  add(menu, nullptr, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, [this] {
-    QMessageBox::information(this, tr("Mouse and keys"),
-                             tr("<table cellspacing='6'>"
-                                "<tr><td><b>Drag</b></td><td>orbit</td></tr>"
-                                "<tr><td><b>Middle or Shift + drag</b></td><td>pan</td></tr>"
-                                "<tr><td><b>Wheel, right drag</b></td><td>zoom</td></tr>"
-                                "<tr><td><b>Right button + W A S D Q E</b></td><td>fly</td></tr>"
-                                "<tr><td><b>Shift + right drag</b></td><td>turn the environment</td></tr>"
-                                "<tr><td><b>Double-click</b></td><td>look at that point</td></tr>"
-                                "<tr><td><b>F</b></td><td>frame the model</td></tr>"
-                                "<tr><td><b>1 2 3 4</b></td><td>the four published views</td></tr>"
-                                "<tr><td><b>B, Shift + B</b></td><td>next view of the frame, previous</td></tr>"
-                                "<tr><td><b>N held</b></td><td>without subsurface</td></tr>"
-                                "<tr><td><b>Ctrl + Tab</b></td><td>hide or show the panels</td></tr>"
-                                "<tr><td><b>Slider: Shift, Ctrl</b></td><td>fine, snap</td></tr>"
-                                "<tr><td><b>Double-click a label</b></td><td>reset to default</td></tr></table>"));
-  });
+  m_program->fillHelpMenu(menu);
   add(menu, "info", tr("&About Dermis"), {}, this, [this] {
     QString gl = tr("No OpenGL");
     if (const auto info = m_viewport->glInfo())

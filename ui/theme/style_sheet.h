@@ -5,6 +5,6 @@
 
 namespace dermis {
 
-[[nodiscard]] QString styleSheet();
+[[nodiscard]] QString styleSheet(bool dark);
 
 }  // namespace dermis

@@ -5,6 +5,7 @@
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
+#include <array>
 
 #include "ui/theme/style_sheet.h"
 
@@ -45,34 +46,48 @@ class ChromeStyle : public QProxyStyle {
   }
 };
 
-QPalette darkPalette() {
+struct PaletteShade {
+  QPalette::ColorRole role;
+  const char* dark;
+  const char* light;
+};
+constexpr std::array<PaletteShade, 19> kPalette{{
+    {QPalette::Window, "#3a3a3a", "#e8e8e8"},
+    {QPalette::WindowText, "#d4d4d4", "#2c2c2c"},
+    {QPalette::Base, "#2c2c2c", "#fbfbfb"},
+    {QPalette::AlternateBase, "#313131", "#f0f0f0"},
+    {QPalette::Text, "#e2e2e2", "#1c1c1c"},
+    {QPalette::Button, "#484848", "#f6f6f6"},
+    {QPalette::ButtonText, "#d8d8d8", "#2c2c2c"},
+    {QPalette::BrightText, "#ffffff", "#000000"},
+    {QPalette::PlaceholderText, "#8c8c8c", "#7c7c7c"},
+    {QPalette::ToolTipBase, "#1f1f1f", "#fafafa"},
+    {QPalette::ToolTipText, "#e0e0e0", "#1c1c1c"},
+    {QPalette::Light, "#8e8e8e", "#ffffff"},
+    {QPalette::Midlight, "#545454", "#dedede"},
+    {QPalette::Mid, "#4a4a4a", "#c2c2c2"},
+    {QPalette::Dark, "#262626", "#9c9c9c"},
+    {QPalette::Shadow, "#1b1b1b", "#7a7a7a"},
+    {QPalette::Highlight, "#5a8fc8", "#2f6fb4"},
+    {QPalette::HighlightedText, "#ffffff", "#ffffff"},
+    {QPalette::Link, "#8ab4e0", "#1f5c9e"},
+}};
+
+QPalette chromePalette(bool dark) {
   QPalette p;
-  const auto all = [&](QPalette::ColorRole role, const char* colour) {
-    p.setColor(role, QColor(QLatin1String(colour)));
-  };
-  all(QPalette::Window, "#3a3a3a");
-  all(QPalette::WindowText, "#d4d4d4");
-  all(QPalette::Base, "#2c2c2c");
-  all(QPalette::AlternateBase, "#313131");
-  all(QPalette::Text, "#e2e2e2");
-  all(QPalette::Button, "#484848");
-  all(QPalette::ButtonText, "#d8d8d8");
-  all(QPalette::BrightText, "#ffffff");
-  all(QPalette::PlaceholderText, "#8c8c8c");
-  all(QPalette::ToolTipBase, "#1f1f1f");
-  all(QPalette::ToolTipText, "#e0e0e0");
-  all(QPalette::Light, "#8e8e8e");
-  all(QPalette::Midlight, "#545454");
-  all(QPalette::Mid, "#4a4a4a");
-  all(QPalette::Dark, "#262626");
-  all(QPalette::Shadow, "#1b1b1b");
-  all(QPalette::Highlight, "#5a8fc8");
-  all(QPalette::HighlightedText, "#ffffff");
-  all(QPalette::Link, "#8ab4e0");
+  for (const PaletteShade& shade : kPalette) p.setColor(shade.role, QLatin1String(dark ? shade.dark : shade.light));
+  const QColor faint(QLatin1String(dark ? "#7a7a7a" : "#9c9c9c"));
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(QPalette::Disabled, role, QColor(0x7a, 0x7a, 0x7a));
-  p.setColor(QPalette::Disabled, QPalette::Highlight, QColor(0x55, 0x55, 0x55));
+    p.setColor(QPalette::Disabled, role, faint);
+  p.setColor(QPalette::Disabled, QPalette::Highlight, QLatin1String(dark ? "#555555" : "#b8b8b8"));
   return p;
+}
+
+/// Asked before our own palette takes the system's place. Qt 6.4 doesn't tell whether the system is dark: its colours
+/// do.
+bool systemIsDark() {
+  static const bool kDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+  return kDark;
 }
 
 /// A face whose digits have one width, so that numbers below each other line up.
@@ -91,12 +106,19 @@ QFont chromeFont() {
 
 }  // namespace
 
-void applyTheme(QApplication& application) {
-  loadChromeResources();
-  QApplication::setStyle(new ChromeStyle);
-  QApplication::setPalette(darkPalette());
-  QApplication::setFont(chromeFont());
-  application.setStyleSheet(styleSheet());
+void applyTheme(QApplication& application, ThemeChoice choice) {
+  const bool systemDark = systemIsDark();
+  const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemDark);
+  static const bool kFirst = [] {
+    loadChromeResources();
+    QApplication::setStyle(new ChromeStyle);
+    QApplication::setFont(chromeFont());
+    return true;
+  }();
+  Q_UNUSED(kFirst);
+  QApplication::setPalette(chromePalette(dark));
+  const QString sheet = styleSheet(dark);
+  if (application.styleSheet() != sheet) application.setStyleSheet(sheet);
 }
 
 }  // namespace dermis
