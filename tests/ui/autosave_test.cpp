@@ -53,14 +53,17 @@ class Recovering : public Editor {
     fs::create_directories(recoveryFolder());
     ASSERT_TRUE(saveRecovery(recoveryFolder() / (std::string(lamp) + ".dermis"), recovery));
   }
-  /// Presses a button of the question once it is there.
-  static void answer(const char* button, int row = 0) {
-    QTimer::singleShot(100, [button, row] {
+  /// Presses one button after another, each on the question that is there next.
+  static void answer(const QStringList& buttons) {
+    auto* hand = new QTimer(window.get());
+    QObject::connect(hand, &QTimer::timeout, [hand, left = buttons]() mutable {
       auto* dialog = qobject_cast<RecoveryDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
-      dialog->findChild<QListWidget*>(QStringLiteral("recovery.list"))->setCurrentRow(row);
-      dialog->findChild<QPushButton*>(QStringLiteral("recovery.") + QLatin1String(button))->click();
+      if (dialog == nullptr || !dialog->isVisible()) return;
+      auto* button = dialog->findChild<QPushButton*>(QStringLiteral("recovery.") + left.takeFirst());
+      if (left.isEmpty()) hand->deleteLater();
+      button->click();
     });
+    hand->start(30);
   }
 };
 
@@ -88,7 +91,7 @@ TEST_F(Recovering, WorkIsKeptWhileItIsUnsavedAndNoLonger) {
 
 TEST_F(Recovering, LostWorkIsOfferedAndOpensAsUnsavedWork) {
   leaveBehind("lost", "/somewhere/face.dermis", 1000);
-  answer("recover");
+  answer({QStringLiteral("recover")});
   window->safetyNet()->offerLostWork();
   ASSERT_TRUE(waitIdle());
   ASSERT_EQ(document().scene().lights.size(), 1U);
@@ -105,7 +108,7 @@ TEST_F(Recovering, LostWorkIsOfferedAndOpensAsUnsavedWork) {
 TEST_F(Recovering, LaterKeepsDeleteDeletes) {
   leaveBehind("older", {}, 1000);
   leaveBehind("newer", {}, 2000);
-  answer("later");
+  answer({QStringLiteral("later")});
   window->safetyNet()->offerLostWork();
   Warnings warnings;
   {
@@ -113,8 +116,7 @@ TEST_F(Recovering, LaterKeepsDeleteDeletes) {
     ASSERT_EQ(both.size(), 2U);
     EXPECT_EQ(both[0].recovery.scene.lights[0].name, "newer");
   }
-  QTimer::singleShot(50, [] { answer("discard"); });
-  QTimer::singleShot(400, [] { answer("later"); });
+  answer({QStringLiteral("discard"), QStringLiteral("later")});
   window->safetyNet()->offerLostWork();
   const std::vector<LostWork> left = findLostWork(recoveryFolder(), warnings);
   ASSERT_EQ(left.size(), 1U);

@@ -155,16 +155,26 @@ void GuideWindow::open(const QString& page, const QString& heading) {
   if (page != m_page || page == kKeys) {
     m_page = page;
     m_text->setMarkdown(markdown);
-    // Tables read better with some room.
-    QTextCursor cursor(m_text->document());
+    // Tables and headings read better with some room.
     for (QTextFrame* frame : m_text->document()->rootFrame()->childFrames())
       if (auto* table = qobject_cast<QTextTable*>(frame)) {
         QTextTableFormat format = table->format();
         format.setCellPadding(5);
-        format.setBorder(0.5);
+        format.setCellSpacing(0);
+        format.setBorderCollapse(true);
+        format.setBorder(1);
         format.setBorderBrush(palette().mid());
+        format.setTopMargin(8);
+        format.setBottomMargin(12);
         table->setFormat(format);
       }
+    for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next()) {
+      QTextBlockFormat format = block.blockFormat();
+      if (format.headingLevel() == 0) continue;
+      format.setTopMargin(format.headingLevel() == 1 ? 4 : 20);
+      format.setBottomMargin(8);
+      QTextCursor(block).setBlockFormat(format);
+    }
   }
   showHeading(heading);
 }
