@@ -150,7 +150,7 @@ TEST(BuiltinContent, ResolvingWhatIsBuiltInLoadsNoImportModule) {
   ASSERT_TRUE(first) << first.error().message;
   EXPECT_TRUE(warnings.empty());
   EXPECT_FALSE(importerLoaded());
-  ASSERT_EQ(first->slots.size(), 3U);
+  ASSERT_EQ(first->slots.size(), 4U);
   EXPECT_EQ(first->slots[2].material.model, ShadingModel::Lens);
 
   // Nothing is made twice while somebody holds it.

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/builtin/head/head.h"
+#include "core/builtin/head/lids.h"
 #include "core/builtin/head/polygonise.h"
 #include "core/builtin/head/regions.h"
 #include "core/builtin/head/remesh.h"
@@ -14,6 +15,8 @@
 
 namespace dermis {
 namespace {
+
+using sculpt::kEyeRadius;
 
 const Head& lowHead() {
   static const Head head = makeHead(HeadLevel::Low);
@@ -40,10 +43,11 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y 
 
 TEST(HeadMesh, SlotsSizeAndUnitAreThePromisedOnes) {
   const Model& model = lowHead().model;
-  ASSERT_EQ(model.slots.size(), 3U);
+  ASSERT_EQ(model.slots.size(), 4U);
   EXPECT_EQ(model.slots[0].name, "face");
   EXPECT_EQ(model.slots[1].name, "eye");
   EXPECT_EQ(model.slots[2].name, "lens");
+  EXPECT_EQ(model.slots[3].name, "hair");
   EXPECT_EQ(model.millimetresPerUnit, 1000.0F);
   const std::uint32_t triangles = face().indexCount / 3;
   EXPECT_GT(triangles, 24000U);
@@ -178,6 +182,64 @@ TEST(HeadMesh, TexelDensityIsEven) {
   // Texels a mm² over the median: between 2 % and 98 % of the visible skin.
   EXPECT_GT(percentile(0.02) / percentile(0.5), 0.4);
   EXPECT_LT(percentile(0.98) / percentile(0.5), 2.0);
+}
+
+TEST(HeadMesh, NothingCutsTheEyeballs) {
+  // Lids and caruncle as triangles, not only as a form; in the socket behind, where the mesh is coarse and nobody
+  // looks, a chord may come nearer.
+  const HeadRegions regions;
+  const Model& model = lowHead().model;
+  constexpr float kMillimetres = 1000.0F;
+  const std::vector<Eyeball> eyes = findEyeballs(model, model.parts[1]);
+  int near = 0;
+  for (std::uint32_t t = 0; t < face().indexCount / 3; ++t) {
+    const glm::uvec3 v = faceTriangle(t);
+    const glm::vec3 rest = (lowHead().rest[v.x] + lowHead().rest[v.y] + lowHead().rest[v.z]) / 3.0F;
+    const float least = regions.at(rest)[HeadRegion::Hidden] > 0.5F ? kEyeRadius - 0.5F : kEyeRadius - 0.1F;
+    for (const glm::vec3 weights :
+         {glm::vec3(1, 0, 0), {0.5F, 0.5F, 0}, {0, 0.5F, 0.5F}, {0.5F, 0, 0.5F}, {0.34F, 0.33F, 0.33F}}) {
+      const glm::vec3 p =
+          weights.x * model.positions[v.x] + weights.y * model.positions[v.y] + weights.z * model.positions[v.z];
+      for (const Eyeball& eye : eyes) {
+        const float distance = kMillimetres * glm::distance(p, eye.centre);
+        ASSERT_GT(distance, least) << rest.x << " " << rest.y << " " << rest.z;
+        near += distance < kEyeRadius + 0.5F ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(near, 500) << "the lids lie on the eyes";
+}
+
+TEST(HeadHairs, AreClosedGrowFromTheSkinAndKeepOutOfTheEyes) {
+  const Model& model = lowHead().model;
+  const ModelPart& part = model.parts[3];
+  ASSERT_EQ(model.slots[part.slot].name, "hair");
+  // By place: tangents may have split vertices.
+  std::map<std::tuple<float, float, float>, std::uint32_t> known;
+  std::vector<glm::vec3> places;
+  const auto placeOf = [&](std::uint32_t vertex) {
+    const glm::vec3& p = model.positions[vertex];
+    const auto [at, isNew] = known.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(places.size()));
+    if (isNew) places.push_back(p);
+    return at->second;
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::uint32_t i = part.firstIndex; i < part.firstIndex + part.indexCount; i += 3)
+    for (std::uint32_t k = 0; k < 3; ++k)
+      ++edges[{placeOf(model.indices[i + k]), placeOf(model.indices[i + (k + 1) % 3])}];
+  for (const auto& [edge, count] : edges) {
+    ASSERT_EQ(count, 1);
+    ASSERT_TRUE(edges.contains({edge.second, edge.first})) << "a tube is open";
+  }
+  const std::vector<Eyeball> eyes = findEyeballs(model, model.parts[1]);
+  float highest = -1.0F, lowest = 1.0F;
+  for (const glm::vec3& p : places) {
+    for (const Eyeball& eye : eyes) ASSERT_GT(glm::distance(p, eye.centre), 0.0122F);
+    highest = std::max(highest, p.y);
+    lowest = std::min(lowest, p.y);
+  }
+  EXPECT_LT(highest, 0.040F);
+  EXPECT_GT(lowest, -0.020F);
 }
 
 TEST(HeadMesh, RendererFindsTheEyes) {

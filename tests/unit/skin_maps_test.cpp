@@ -9,6 +9,7 @@
 #include "core/builtin/skin/head_maps.h"
 #include "core/builtin/skin/noise.h"
 #include "core/builtin/skin/pigments.h"
+#include "core/builtin/skin/skin_detail.h"
 
 namespace dermis {
 namespace {
@@ -105,6 +106,9 @@ TEST(HeadMapNames, SettingsAreReadAndMistakesNamed) {
   };
   EXPECT_EQ(why("freckles"), "");
   EXPECT_EQ(why("head_normal"), "");
+  EXPECT_EQ(why("skin_detail"), "");
+  EXPECT_EQ(why("head_region?region=crows_feet"), "");
+  EXPECT_THAT(why("head_region?region=tail"), HasSubstr("there are lips, nose"));
   EXPECT_THAT(why("head_nose"), HasSubstr("is not a map"));
   EXPECT_THAT(why("head_albedo?agee=4"), HasSubstr("has no setting \"agee\"; there are tone, melanin"));
   EXPECT_THAT(why("head_albedo?age"), HasSubstr("without a value"));
@@ -151,6 +155,7 @@ TEST_F(SkinMaps, TheMeanOfATonesFaceIsTheTonesAlbedoAndNothingGivesMoreThanItGet
   for (const float tone : {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F}) {
     Look look;
     look.tone = tone;
+    look.stubble = 0.0F;  // hair is no skin
     const Image image = makeHeadAlbedo(atlas(), look);
     const glm::dvec3 found = mean(image), wanted = toneAlbedo(tone);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / wanted[c], 1.0, 0.04) << tone << " " << c;
@@ -183,6 +188,7 @@ TEST_F(SkinMaps, LipsAreRedderCheeksFlushAndFrecklesDarken) {
   Look look;
   look.flush = 0.0F;
   look.freckles = 0.0F;
+  look.stubble = 0.0F;
   const Image plain = makeHeadAlbedo(atlas(), look);
   const auto redness = [](const glm::dvec3& c) { return c.r / c.g; };
   EXPECT_GT(redness(mean(plain, in(HeadRegion::Lips))), 1.25 * redness(mean(plain)));
@@ -192,7 +198,7 @@ TEST_F(SkinMaps, LipsAreRedderCheeksFlushAndFrecklesDarken) {
   look.flush = 0.0F;
   look.freckles = 1.0F;
   const Image freckled = makeHeadAlbedo(atlas(), look);
-  EXPECT_LT(mean(freckled, in(HeadRegion::Cheek)).g, 0.96 * mean(plain, in(HeadRegion::Cheek)).g);
+  EXPECT_LT(mean(freckled, in(HeadRegion::Cheek)).g, 0.97 * mean(plain, in(HeadRegion::Cheek)).g);
   look.freckles = 0.0F;
   look.melanin = 3.0F;
   EXPECT_LT(mean(makeHeadAlbedo(atlas(), look)).g, 0.8 * mean(plain).g);
@@ -263,6 +269,75 @@ TEST_F(SkinMaps, AgeDeepensLinesAndTheWetPartsShine) {
   place.regions.of[static_cast<std::size_t>(HeadRegion::LidMargin)] = 1.0F;
   EXPECT_LT(skinRoughness(place, Look{}), 0.3F);
   EXPECT_GT(skinRoughness(SkinPlace{}, Look{}), 0.4F);
+}
+
+TEST_F(SkinMaps, RegionsArePainted) {
+  const Image lips = makeHeadRegion(atlas(), HeadRegion::Lips);
+  const HeadRegions regions;
+  for (std::size_t i = 0; i < atlas().rest.size(); ++i) {
+    const double wanted =
+        atlas().covered[i] == 0 ? 0.0 : 255.0 * static_cast<double>(regions.at(atlas().rest[i])[HeadRegion::Lips]);
+    ASSERT_NEAR(std::to_integer<int>(lips.pixels[i]), wanted, 0.51);
+  }
+}
+
+TEST_F(SkinMaps, EarsAreThinTheSkullIsThickAndFoldsAreHidden) {
+  const std::shared_ptr<const Head> head = builtinHead(HeadLevel::Low);
+  const Image thickness = makeHeadBaked(*head, HeadMap::Thickness, atlas().size);
+  const Image occlusion = makeHeadBaked(*head, HeadMap::Occlusion, atlas().size);
+  ASSERT_FALSE(thickness.pixels.empty());
+  const HeadRegions regions;
+  struct Sum {
+    double thickness = 0.0, open = 0.0, count = 0.0;
+  };
+  Sum lobe, skull, canthus;
+  for (std::size_t i = 0; i < atlas().rest.size(); ++i) {
+    if (atlas().covered[i] != 2) continue;
+    const glm::vec3 p = atlas().rest[i];
+    const RegionWeights at = regions.at(p);
+    Sum* of = nullptr;
+    if (at[HeadRegion::Ear] > 0.9F && p.y < -30.0F) of = &lobe;
+    if (p.y > 90.0F) of = &skull;
+    if (at[HeadRegion::Caruncle] > 0.3F) of = &canthus;
+    if (of == nullptr) continue;
+    of->thickness += static_cast<double>(kHeadThickestMm) * value16(thickness, i);
+    of->open += std::to_integer<int>(occlusion.pixels[i]) / 255.0;
+    of->count += 1.0;
+  }
+  EXPECT_LT(lobe.thickness / lobe.count, 8.0);
+  EXPECT_GT(lobe.thickness / lobe.count, 2.0);
+  EXPECT_NEAR(skull.thickness / skull.count, static_cast<double>(kHeadThickestMm), 0.01);
+  EXPECT_GT(skull.open / skull.count, 0.99);
+  EXPECT_LT(canthus.open / canthus.count, 0.8);
+}
+
+TEST(SkinDetail, RepeatsAndIsAsRoughAsSkin) {
+  const Image tile = makeSkinDetail();
+  const auto size = static_cast<std::size_t>(tile.width);
+  const auto normal = [&](std::size_t x, std::size_t y) {
+    glm::dvec3 n;
+    for (std::size_t c = 0; c < 3; ++c)
+      n[static_cast<int>(c)] = std::to_integer<int>(tile.pixels[3 * (y * size + x) + c]) / 127.5 - 1.0;
+    return n;
+  };
+  // Over the border it is as smooth as inside.
+  const auto step = [&](std::size_t x) {
+    double sum = 0.0;
+    for (std::size_t y = 0; y < size; ++y) sum += glm::distance(normal(x, y), normal((x + 1) % size, y));
+    return sum / static_cast<double>(size);
+  };
+  double inside = 0.0;
+  for (std::size_t x = 100; x < 120; ++x) inside += step(x) / 20.0;
+  EXPECT_NEAR(step(size - 1) / inside, 1.0, 0.5);
+  double slope2 = 0.0;
+  for (std::size_t y = 0; y < size; ++y)
+    for (std::size_t x = 0; x < size; ++x) {
+      const glm::dvec3 n = normal(x, y);
+      ASSERT_GT(n.z, 0.3);
+      slope2 += (n.x * n.x + n.y * n.y) / (n.z * n.z) / static_cast<double>(size * size);
+    }
+  EXPECT_GT(std::sqrt(slope2), 0.05);
+  EXPECT_LT(std::sqrt(slope2), 0.35);
 }
 
 }  // namespace

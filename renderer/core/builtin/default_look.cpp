@@ -92,8 +92,8 @@ Scene defaultLook() {
   scene.environment.builtin = "studio";
   Camera camera;
   camera.position = {0.20F, -0.01F, 0.98F};
-  camera.target = {0.0F, -0.055F, -0.02F};
-  camera.verticalFovDegrees = 20.0F;
+  camera.target = {0.0F, -0.028F, -0.02F};
+  camera.verticalFovDegrees = 21.0F;
   scene.camera = camera;
   return scene;
 }

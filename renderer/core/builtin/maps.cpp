@@ -7,34 +7,20 @@
 #include <vector>
 
 #include "core/base/file_reference.h"
+#include "core/base/random.h"
 #include "core/builtin/skin/head_maps.h"
+#include "core/builtin/skin/skin_detail.h"
 
 namespace dermis {
 
 namespace {
-
-/// Numbers 0..1 that are the same on every machine (Steele, Lea & Flood 2014, SplitMix64).
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : m_state(seed) {}
-  float next() {
-    m_state += 0x9E3779B97F4A7C15ULL;
-    std::uint64_t z = m_state;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return static_cast<float>((z ^ (z >> 31U)) >> 40U) * 0x1p-24F;
-  }
-
- private:
-  std::uint64_t m_state;
-};
 
 std::byte srgbCode(float linear) {
   const float v = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
   return static_cast<std::byte>(std::lround(255.0F * std::clamp(v, 0.0F, 1.0F)));
 }
 
-constexpr std::string_view kFreckles = "freckles";
+constexpr std::string_view kFreckles = "freckles", kSkinDetail = "skin_detail";
 constexpr int kEdge = 512;
 
 /// Optical depth of melanin in spots of soft, uneven outline: most of them small and pale, few large and dark.
@@ -92,19 +78,20 @@ std::shared_ptr<const Image> freckles() {
 Result<std::string_view> builtinMapId(std::string_view reference) {
   const auto name = builtinName(reference);
   if (!name) return inputError("is not a map that this program carries");
-  if (name == kFreckles) return *name;
+  if (name == kFreckles || name == kSkinDetail) return *name;
   if (const auto request = parseHeadMap(*name); !request) return tl::unexpected(request.error());
   return *name;
 }
 
 std::string builtinMapNames() {
-  std::string names = builtinReference(kFreckles);
+  std::string names = builtinReference(kFreckles) + ", " + builtinReference(kSkinDetail);
   for (const std::string_view name : headMapNames()) names += ", " + builtinReference(name);
   return names;
 }
 
 std::shared_ptr<const Image> builtinMap(std::string_view id) {
   if (id == kFreckles) return freckles();
+  if (id == kSkinDetail) return std::make_shared<const Image>(skin::makeSkinDetail());
   const auto request = parseHeadMap(id);
   return request ? headMap(*request) : nullptr;
 }

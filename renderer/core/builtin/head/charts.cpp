@@ -106,6 +106,21 @@ void turnUpright(Piece& piece) {
   for (glm::dvec2& p : piece.flat) p = {p.x * up.y - p.y * up.x, p.x * up.x + p.y * up.y};
 }
 
+/// What is left when a piece can't be flattened: seen along its mean normal. Parts that face away lie on top of others:
+/// maps repeat there, but there is a head.
+std::vector<glm::dvec2> projected(const Patch& patch) {
+  glm::vec3 normal(0.0F);
+  for (const glm::uvec3& t : patch.triangles)
+    normal += glm::cross(patch.points[t.y] - patch.points[t.x], patch.points[t.z] - patch.points[t.x]);
+  normal = glm::length(normal) > 0.0F ? glm::normalize(normal) : glm::vec3(0, 0, 1);
+  const glm::vec3 across =
+      glm::normalize(glm::cross(std::abs(normal.y) < 0.9F ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, 1), normal));
+  const glm::vec3 up = glm::cross(normal, across);
+  std::vector<glm::dvec2> flat;
+  for (const glm::vec3& p : patch.points) flat.emplace_back(glm::dot(p, across), glm::dot(p, up));
+  return flat;
+}
+
 }  // namespace
 
 float chartScale(Chart chart) {
@@ -135,10 +150,7 @@ AtlasMesh unwrap(const Surface& surface, const Sculpt& sculpt) {
   std::vector<FlatPiece> flats;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     Piece& piece = pieces[i];
-    if (piece.flat.empty()) {
-      mesh.triangles.clear();
-      return mesh;
-    }
+    if (piece.flat.empty()) piece.flat = projected(piece.patch);
     turnUpright(piece);
     const float scale = chartScale(static_cast<Chart>(i));
     FlatPiece flat{{}, piece.patch.triangles};

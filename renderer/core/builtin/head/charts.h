@@ -39,7 +39,8 @@ struct AtlasMesh {
   float millimetresPerUv = 1.0F;       ///< on the face
 };
 
-/// Cuts, flattens and packs. Empty triangles where a piece is no disc: the sculpt has changed too much for the cuts.
+/// Cuts, flattens and packs. A piece that is no disc, because the sculpt has changed too much for the cuts, is
+/// projected instead: its texture coordinates overlap.
 [[nodiscard]] AtlasMesh unwrap(const Surface& surface, const Sculpt& sculpt);
 
 }  // namespace dermis::sculpt

@@ -50,7 +50,7 @@ float Ear::join(float head, const glm::vec3& q) const {
   // The concha goes into the skull, above the plate.
   const float hollow = smoothMax(map.concha + 0.4F, map.height + 0.35F * map.thickness / flat - at.z, 1.5F);
   const float joined = smoothMin(smoothMax(head, -hollow, 1.2F), ear, 3.0F);
-  const float canal = ellipsoid(at, {1.2F, -3.5F, -9.5F}, {3.6F, 4.0F, 4.6F});
+  const float canal = capsule(at, {1.2F, -3.5F, -8.0F}, {0.2F, -2.5F, -19.0F}, 3.5F, 2.6F);
   return smoothMax(joined, -canal, 1.2F);
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/builtin/head/asymmetry.h"
 #include "core/builtin/head/eyes.h"
+#include "core/builtin/head/hairs.h"
 #include "core/builtin/head/head_cache.h"
 #include "core/builtin/head/head_look.h"
 #include "core/builtin/head/head_mesh.h"
@@ -87,6 +88,10 @@ Head makeHead(HeadLevel level) {
   Model model = faceModel(mesh, normals);
   appendModel(model, bothEyes(makeEyeball(kEyeSegments[index])));
   appendModel(model, bothEyes(makeCornea(kEyeSegments[index])));
+  constexpr std::array<int, 3> kHairPieces = {3, 4, 5};
+  Model hairs = makeHairs(sculpt, kHairPieces[index]);
+  completeTangents(hairs);
+  appendModel(model, hairs, {glm::vec3(kMetresPerMillimetre), {}, glm::vec3(0.0F)});
   describeHead(model);
   head.model = std::move(model);
   return head;

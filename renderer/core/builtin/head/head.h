@@ -19,7 +19,7 @@ enum class HeadLevel : std::uint8_t { Low, Medium, High };
 [[nodiscard]] std::optional<HeadLevel> headLevel(std::string_view name);
 
 struct Head {
-  /// Metres, the origin between the eyes, facing +Z. Slots face, eye, lens. The face's vertices come first.
+  /// Metres, the origin between the eyes, facing +Z. Slots face, eye, lens, hair. The face's vertices come first.
   Model model;
   /// Of the face's vertices: where they lie in the symmetrical head, millimetres, and their normals there. The regions,
   /// and noise in space, count from these.

@@ -5,6 +5,12 @@
 namespace dermis {
 namespace {
 
+/// Tiles of builtin:skin_detail across the atlas: 40 mm each.
+constexpr float kHeadDetailTiling = 14.0F;
+
+/// Less than the ears, more than what a ray measures at the edge of a lid or in the slit between the lips.
+constexpr float kThinnestMm = 2.5F;
+
 constexpr std::string_view kPrefix = "head_";
 
 Material faceMaterial() {
@@ -15,12 +21,18 @@ Material faceMaterial() {
   material.parameters.baseAlbedo = {glm::vec3(1.0F)};
   material.parameters.specularPerceptualRoughness = 1.0F;
   const auto wear = [&](TextureSlot slot, std::string_view map) {
-    material.texture(slot).path = builtinReference(std::string(kPrefix) + std::string(map) + "?size=1024");
+    const std::string_view size = slot == TextureSlot::Albedo ? "?size=2048" : "?size=1024";
+    material.texture(slot).path = builtinReference(std::string(kPrefix) + std::string(map) + std::string(size));
   };
   wear(TextureSlot::Albedo, "albedo");
   wear(TextureSlot::Normal, "normal");
   wear(TextureSlot::Roughness, "roughness");
   wear(TextureSlot::Cavity, "cavity");
+  wear(TextureSlot::DetailMask, "detail");
+  material.texture(TextureSlot::DetailNormal).path = builtinReference("skin_detail");
+  material.parameters.surfaceDetailStrength = 1.0F;
+  material.parameters.transmissionThicknessMinMm = kThinnestMm;
+  material.parameters.surfaceDetailTiling = kHeadDetailTiling;
   return material;
 }
 
@@ -40,10 +52,21 @@ Material corneaMaterial() {
   return material;
 }
 
+Material hairMaterial() {
+  Material material;
+  material.name = "Brown hair";
+  material.model = ShadingModel::MetallicRoughness;
+  material.parameters.baseAlbedo = {{0.050F, 0.030F, 0.019F}};
+  material.parameters.baseMetallic = 0.0F;
+  material.parameters.specularIor = 1.55F;
+  material.parameters.specularPerceptualRoughness = 0.5F;
+  return material;
+}
+
 }  // namespace
 
-std::array<ModelSlot, 3> headSlots() {
-  return {{{"face", faceMaterial()}, {"eye", eyeMaterial()}, {"lens", corneaMaterial()}}};
+std::array<ModelSlot, 4> headSlots() {
+  return {{{"face", faceMaterial()}, {"eye", eyeMaterial()}, {"lens", corneaMaterial()}, {"hair", hairMaterial()}}};
 }
 
 bool isHeadMap(std::string_view reference) {

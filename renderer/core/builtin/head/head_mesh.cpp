@@ -60,7 +60,7 @@ float shortestEdge(const glm::vec3& p) {
   const float lids =
       fade(8.0F, 13.0F, std::abs(q.y)) * fade(15.0F, 20.0F, std::abs(q.x - kEyeCentre.x)) * ramp(74.0F, 77.0F, q.z);
   const float lips = fade(2.0F, 5.0F, std::abs(q.y + 69.0F)) * fade(27.0F, 32.0F, q.x) * ramp(70.0F, 80.0F, q.z);
-  return glm::mix(1.25F, 0.7F, std::max(lids, lips));
+  return glm::mix(1.25F, lids > lips ? 0.6F : 0.7F, std::max(lids, lips));
 }
 
 }  // namespace

@@ -24,9 +24,7 @@ float blob(const glm::vec3& p, const glm::vec3& centre, const glm::vec3& widths)
 std::string_view headRegionName(HeadRegion region) { return kNames[static_cast<std::size_t>(region)]; }
 
 HeadRegions::HeadRegions()
-    : m_brow({{8, 17.5F}, {20, 20.5F}, {34, 22}, {46, 19.5F}, {56, 13}}),
-      m_browHalfWidth({{7, 1}, {10, 4.2F}, {24, 3.9F}, {40, 2.6F}, {55, 0.8F}}),
-      m_hairline({{0, 90},
+    : m_hairline({{0, 90},
                   {0.45F, 84},
                   {0.75F, 66},
                   {0.95F, 58},
@@ -103,8 +101,8 @@ RegionWeights HeadRegions::at(const glm::vec3& rest) const {
       std::max({forehead * fade(30.0F, 48.0F, q.x), fade(12.0F, 20.0F, q.x) * ramp(14.0F, 24.0F, q.y) * forehead,
                 std::max(tip, bridge), 0.8F * weights[HeadRegion::Chin],
                 fade(12.0F, 22.0F, q.x) * ramp(0.0F, 12.0F, q.y) * fade(24.0F, 36.0F, q.y) * ramp(80.0F, 92.0F, q.z)}));
-  set(HeadRegion::Brow, fade(0.5F, 1.25F, std::abs(q.y - m_brow(q.x)) / m_browHalfWidth(q.x)) * ramp(7.0F, 11.0F, q.x) *
-                            fade(50.0F, 57.0F, q.x) * ramp(50.0F, 60.0F, q.z));
+  set(HeadRegion::Brow, fade(0.5F, 1.25F, std::abs(q.y - m_brow.height(q.x)) / m_brow.halfWidth(q.x)) *
+                            ramp(7.0F, 11.0F, q.x) * fade(50.0F, 57.0F, q.x) * ramp(50.0F, 60.0F, q.z));
   set(HeadRegion::Scalp, ramp(-6.0F, 6.0F, q.y - m_hairline(angle)) * (1.0F - ofEar));
   const float below = fade(-5.0F, 5.0F, q.y - m_beardLine(angle)) * fade(1.4F, 1.55F, angle);
   const float above = ramp(-140.0F, -112.0F, q.y - 0.35F * (q.z - 60.0F));

@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <string_view>
 
+#include "core/builtin/head/brow.h"
 #include "core/builtin/head/ear.h"
 #include "core/builtin/head/lids.h"
 #include "core/builtin/head/lips.h"
@@ -53,7 +54,7 @@ class HeadRegions {
 
   // Curves that wrinkles, lashes and hairs follow; heights in mm at |x| mm.
   [[nodiscard]] float mouthLine(float x) const { return m_lips.line(x); }
-  [[nodiscard]] float browHeight(float x) const { return m_brow(x); }
+  [[nodiscard]] float browHeight(float x) const { return m_brow.height(x); }
   [[nodiscard]] const sculpt::Lids& lids() const { return m_lids; }
 
  private:
@@ -63,7 +64,7 @@ class HeadRegions {
   sculpt::Lips m_lips;
   sculpt::Lids m_lids;
   sculpt::Ear m_ear;
-  sculpt::Profile m_brow, m_browHalfWidth;
+  sculpt::Brow m_brow;
   sculpt::Profile m_hairline, m_beardLine;  ///< heights over the angle about the vertical axis, 0 in front
 };
 

@@ -5,11 +5,11 @@
 namespace dermis::sculpt {
 namespace {
 
-/// The bust's cut: an upright elliptic wall that opens upwards, and a flat base.
+/// The bust's cut: an elliptic wall that opens upwards and narrows towards a flat base.
 float bustCut(const glm::vec3& p) {
-  const float wall = (glm::length(glm::vec2(p.x / 118.0F, (p.z + 32.0F) / 92.0F)) - 1.0F) * 92.0F -
-                     1.6F * smoothMax(0.0F, p.y + 175.0F, 20.0F);
-  return smoothMax(wall, -(p.y + 222.0F), 14.0F);
+  const float wall = (glm::length(glm::vec2(p.x / 120.0F, (p.z + 32.0F) / 92.0F)) - 1.0F) * 92.0F -
+                     1.3F * smoothMax(0.0F, p.y + 170.0F, 30.0F) + 0.42F * smoothMax(0.0F, -172.0F - p.y, 40.0F);
+  return smoothMax(wall, -(p.y + 222.0F), 18.0F);
 }
 
 /// Where the crease of the wing meets the cheek: the one stroke that is drawn in space.
@@ -50,7 +50,7 @@ float Sculpt::operator()(const glm::vec3& p) const {
     d = m_nose.cutNostrils(d, q);
     d = m_lids.cut(d, q);
   }
-  return smoothMax(d, bustCut(p), 22.0F);
+  return smoothMax(d, bustCut(p), 40.0F);
 }
 
 Sculpt::Slope Sculpt::slope(const glm::vec3& p, float delta) const {

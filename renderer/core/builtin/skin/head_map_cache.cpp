@@ -30,10 +30,14 @@ struct Header {
 /// What the map depends on.
 std::string keyOf(const HeadMapRequest& request) {
   const skin::Look& look = request.look;
-  std::string key = fmt::format("{}|{}|{}|{}", headMapNames().at(static_cast<std::size_t>(request.map)), request.size,
-                                shortestDecimal(look.age), look.seed);
+  const std::string_view name = headMapNames().at(static_cast<std::size_t>(request.map));
+  if (request.map == HeadMap::Region)
+    return fmt::format("{}|{}|{}", name, request.size, headRegionName(request.region));
+  if (request.map == HeadMap::Occlusion || request.map == HeadMap::Thickness)
+    return fmt::format("{}|{}", name, request.size);
+  std::string key = fmt::format("{}|{}|{}|{}", name, request.size, shortestDecimal(look.age), look.seed);
   if (request.map == HeadMap::Albedo) {
-    for (const float value : {look.tone, look.melanin, look.haemoglobin, look.freckles, look.flush})
+    for (const float value : {look.tone, look.melanin, look.haemoglobin, look.freckles, look.flush, look.stubble})
       key += "|" + shortestDecimal(value);
     if (request.relative) key += "|relative";
   }
@@ -84,8 +88,26 @@ void writeMap(const fs::path& file, const Image& image) {
   if (writeFileAtomically(file, bytes)) trimDiskCache(file.parent_path(), kSuffix, kMostBytes);
 }
 
-/// The atlas is large and made in half a second: kept as long as the maps of one look are being made.
-HeadAtlas atlasOf(int size) { return rasteriseHead(*builtinHead(HeadLevel::Medium), size); }
+HeadMaps made(const HeadMapRequest& request) {
+  const std::shared_ptr<const Head> head = builtinHead(HeadLevel::Medium);
+  HeadMaps maps;
+  Image& asked = maps.images.at(static_cast<std::size_t>(request.map));
+  switch (request.map) {
+    case HeadMap::Albedo:
+      asked = makeHeadAlbedo(rasteriseHead(*head, request.size), request.look, request.relative);
+      break;
+    case HeadMap::Occlusion:
+    case HeadMap::Thickness:
+      asked = makeHeadBaked(*head, request.map, request.size);
+      break;
+    case HeadMap::Region:
+      asked = makeHeadRegion(rasteriseHead(*head, request.size), request.region);
+      break;
+    default:
+      maps = makeHeadRelief(rasteriseHead(*head, request.size), request.look);
+  }
+  return maps;
+}
 
 }  // namespace
 
@@ -103,12 +125,7 @@ std::shared_ptr<const Image> headMap(const HeadMapRequest& request) {
     remembered[key] = image;
     return image;
   }
-  auto maps = std::make_shared<HeadMaps>();
-  const HeadAtlas atlas = atlasOf(request.size);
-  if (request.map == HeadMap::Albedo)
-    maps->images.front() = makeHeadAlbedo(atlas, request.look, request.relative);
-  else
-    *maps = makeHeadRelief(atlas, request.look);
+  const auto maps = std::make_shared<HeadMaps>(made(request));
   std::shared_ptr<const Image> asked;
   for (std::size_t i = 0; i < kHeadMapCount; ++i) {
     Image& image = maps->images.at(i);

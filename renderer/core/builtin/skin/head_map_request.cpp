@@ -9,8 +9,9 @@
 namespace dermis {
 namespace {
 
-constexpr std::array<std::string_view, kHeadMapCount> kNames = {"head_albedo", "head_normal", "head_displacement",
-                                                                "head_roughness", "head_cavity"};
+constexpr std::array<std::string_view, kHeadMapCount> kNames = {"head_albedo",    "head_normal",    "head_displacement",
+                                                                "head_roughness", "head_cavity",    "head_detail",
+                                                                "head_occlusion", "head_thickness", "head_region"};
 
 /// A setting of the look, and what it may be.
 struct Setting {
@@ -18,12 +19,13 @@ struct Setting {
   float lowest, highest;
   float skin::Look::*member;
 };
-constexpr std::array<Setting, 6> kSettings = {{{"tone", 1.0F, 6.0F, &skin::Look::tone},
+constexpr std::array<Setting, 7> kSettings = {{{"tone", 1.0F, 6.0F, &skin::Look::tone},
                                                {"melanin", 0.05F, 20.0F, &skin::Look::melanin},
                                                {"haemoglobin", 0.05F, 20.0F, &skin::Look::haemoglobin},
                                                {"age", 1.0F, 100.0F, &skin::Look::age},
                                                {"freckles", 0.0F, 1.0F, &skin::Look::freckles},
-                                               {"flush", 0.0F, 1.0F, &skin::Look::flush}}};
+                                               {"flush", 0.0F, 1.0F, &skin::Look::flush},
+                                               {"stubble", 0.0F, 1.0F, &skin::Look::stubble}}};
 
 tl::unexpected<Error> outside(std::string_view key, float lowest, float highest) {
   return inputError("has a " + std::string(key) + " that is no number from " + shortestDecimal(lowest) + " to " +
@@ -57,9 +59,17 @@ Result<void> readSetting(std::string_view key, std::string_view value, HeadMapRe
     request.relative = *number == 1.0F;
     return {};
   }
+  if (key == "region") {
+    std::vector<std::string_view> regions;
+    for (std::size_t i = 0; i < kHeadRegionCount; ++i) regions.push_back(headRegionName(static_cast<HeadRegion>(i)));
+    const auto found = std::find(regions.begin(), regions.end(), value);
+    if (found == regions.end()) return inputError("has a region that there is not; there are " + listed(regions));
+    request.region = static_cast<HeadRegion>(found - regions.begin());
+    return {};
+  }
   std::vector<std::string_view> known;
   for (const Setting& setting : kSettings) known.push_back(setting.key);
-  known.insert(known.end(), {"seed", "size", "relative"});
+  known.insert(known.end(), {"seed", "size", "relative", "region"});
   return inputError("has no setting \"" + std::string(key) + "\"; there are " + listed(known));
 }
 

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/bake/mesh_bake.h"
 #include "core/bake/parallel.h"
+#include "core/bake/point_bake.h"
 #include "core/builtin/skin/pigments.h"
+#include "core/io/disk_cache.h"
 
 namespace dermis {
 namespace {
@@ -175,6 +178,44 @@ Image makeHeadAlbedo(const HeadAtlas& atlas, const Look& look, bool relative) {
   return image;
 }
 
+Image makeHeadRegion(const HeadAtlas& atlas, HeadRegion region) {
+  const HeadRegions regions;
+  Image image = emptyImage(atlas, 1, PixelType::U8, "head_region");
+  forTexels(atlas, 1, [&](std::size_t, std::size_t, std::size_t index) {
+    store8(image, index, regions.at(atlas.rest[index])[region]);
+  });
+  return image;
+}
+
+Image makeHeadBaked(const Head& head, HeadMap map, int size) {
+  MeshBakeOptions options;
+  options.millimetresPerUnit = head.model.millimetresPerUnit;
+  // As the renderer asks for it, so that the two share a file: the cornea stops no light.
+  for (const ModelSlot& slot : head.model.slots)
+    options.castingSlots.push_back(slot.imported.model != ShadingModel::Lens);
+  options.cacheFolder = userCacheFolder();
+  const auto baked = bakeMesh(head.model, options);
+  if (!baked) return {};
+  // The atlas interpolates positions; here they are numbers to be interpolated.
+  Head numbers = head;
+  for (std::size_t v = 0; v < numbers.rest.size(); ++v) {
+    const VertexBake& of = (*baked)->vertices[v];
+    numbers.rest[v] = {occlusionOf(of.hiddenSky), std::clamp(of.thicknessMm, 0.0F, kHeadThickestMm), 0.0F};
+  }
+  const HeadAtlas atlas = rasteriseHead(numbers, size);
+  const bool thickness = map == HeadMap::Thickness;
+  Image image = emptyImage(atlas, 1, thickness ? PixelType::U16 : PixelType::U8,
+                           headMapNames().at(static_cast<std::size_t>(map)));
+  for (std::size_t i = 0; i < atlas.rest.size(); ++i) {
+    const glm::vec3 value = atlas.covered[i] != 0 ? atlas.rest[i] : glm::vec3(1.0F, kHeadThickestMm, 0.0F);
+    if (thickness)
+      store16(image, i, value.y / kHeadThickestMm);
+    else
+      store8(image, i, value.x);
+  }
+  return image;
+}
+
 HeadMaps makeHeadRelief(const HeadAtlas& atlas, const Look& look) {
   HeadMaps maps;
   const auto add = [&](HeadMap map, int channels, PixelType type) -> Image& {
@@ -185,6 +226,7 @@ HeadMaps makeHeadRelief(const HeadAtlas& atlas, const Look& look) {
   Image& displacement = add(HeadMap::Displacement, 1, PixelType::U16);
   Image& roughness = add(HeadMap::Roughness, 1, PixelType::U8);
   Image& cavity = add(HeadMap::Cavity, 1, PixelType::U8);
+  Image& detail = add(HeadMap::Detail, 1, PixelType::U8);
   const HeadRegions regions;
   const std::size_t texels = atlas.rest.size();
   std::vector<float> heights(texels, 0.0F);
@@ -198,6 +240,7 @@ HeadMaps makeHeadRelief(const HeadAtlas& atlas, const Look& look) {
     const SkinPlace place = placeOf(atlas, index, regions);
     heights[index] = reliefHeight(place, regions, look, atlas.millimetresPerTexel);
     store8(roughness, index, skinRoughness(place, look));
+    store8(detail, index, fineRelief(place));
   });
   const Relief relief(atlas, std::move(heights));
   forTexels(atlas, 1, [&](std::size_t x, std::size_t y, std::size_t index) {

@@ -19,9 +19,15 @@ enum class HeadMap : std::uint8_t {
   Normal,        ///< tangent space, +Y, 16 bit
   Displacement,  ///< 16 bit, 0.5 is the skin itself
   Roughness,     ///< perceptual, 8 bit
-  Cavity         ///< 8 bit, 1 where nothing is hollow
+  Cavity,        ///< 8 bit, 1 where nothing is hollow
+  Detail,        ///< 8 bit: how strong the finest relief is, the mask of builtin:skin_detail
+  Occlusion,     ///< 8 bit, 1 in the open
+  Thickness,     ///< 16 bit, 1 is kHeadThickestMm
+  Region         ///< 8 bit: the weight of one region
 };
-inline constexpr std::size_t kHeadMapCount = 5;
+inline constexpr std::size_t kHeadMapCount = 9;
+/// What 1 stands for in the thickness map: the default of transmission.thickness_max_mm.
+inline constexpr float kHeadThickestMm = 20.0F;
 /// Between the displacement map's 0 and 1: what surface.displacement_mm must be.
 inline constexpr float kHeadReliefMm = 2.0F;
 inline constexpr int kHeadMapSize = 2048;
@@ -33,10 +39,11 @@ struct HeadMapRequest {
   skin::Look look;
   int size = kHeadMapSize;
   bool relative = false;  ///< the albedo as a factor on the tone's, over kMostRelative
+  HeadRegion region = HeadRegion::Lips;
 };
 /// "head_albedo", "head_normal", …, each with settings as a query may follow: tone, melanin, haemoglobin, age,
-/// freckles, flush, seed, size, relative (0 or 1). Errors: Input, a phrase that follows the reference: "has no setting
-/// …".
+/// freckles, flush, stubble, seed, size, relative (0 or 1), region. Errors: Input, a phrase that follows the reference:
+/// "has no setting …".
 [[nodiscard]] Result<HeadMapRequest> parseHeadMap(std::string_view name);
 /// The names without settings.
 [[nodiscard]] std::array<std::string_view, kHeadMapCount> headMapNames();
@@ -50,7 +57,11 @@ struct HeadMaps {
 };
 /// The albedo alone.
 [[nodiscard]] Image makeHeadAlbedo(const HeadAtlas& atlas, const skin::Look& look, bool relative = false);
-/// All others, which depend on age and seed alone; the albedo stays empty.
+/// What the mesh bake knows of each vertex of the head, spread over the atlas: Occlusion or Thickness. Seconds, unless
+/// the head has been drawn before. Empty where no rays can be cast.
+[[nodiscard]] Image makeHeadBaked(const Head& head, HeadMap map, int size);
+[[nodiscard]] Image makeHeadRegion(const HeadAtlas& atlas, HeadRegion region);
+/// All that depend on age and seed; the others stay empty.
 [[nodiscard]] HeadMaps makeHeadRelief(const HeadAtlas& atlas, const skin::Look& look);
 
 }  // namespace dermis

@@ -12,6 +12,8 @@ using enum HeadRegion;
 /// Thin lines where the noise crosses 0, 1 on them; `width` in the noise's own unit.
 float lines(float value, float width) { return std::exp(-value * value / (width * width)); }
 
+float bell(float x, float width) { return std::exp(-x * x / (width * width)); }
+
 /// Share of how old skin looks, from 25 to 85 years.
 float aged(const Look& look) { return glm::smoothstep(25.0F, 85.0F, look.age); }
 
@@ -44,23 +46,17 @@ float ageSpots(const SkinPlace& at, const Look& look) {
   return 0.9F * spots((at.p + wobble) / 13.0F, old * where * 0.6F, 0.3F, 0.4F, look.seed + 74);
 }
 
-/// Coverage by hairs: of the brows, short strokes that lean outwards and up; of the shaved scalp, a shade with grain.
+/// Coverage by hairs: below the brows' own ones a shade; of the shaved scalp and beard a shade with single hairs in it.
 float hairs(const SkinPlace& at, const Look& look) {
-  float sum = 0.0F;
-  if (at[Brow] > 0.0F) {
-    const float side = at.p.x < 0.0F ? -1.0F : 1.0F;
-    const float lean = glm::mix(0.9F, 0.15F, glm::smoothstep(8.0F, 45.0F, std::abs(at.p.x)));
-    // Along the hairs the noise is drawn out six times.
-    const glm::vec2 along(side * std::cos(lean), std::sin(lean));
-    const glm::vec2 q(at.p);
-    const glm::vec3 drawn(glm::dot(q, along) / 4.2F, (q.y * along.x - q.x * along.y) / 0.7F, 0.0F);
-    const float strokes =
-        glm::smoothstep(-0.35F, 0.5F, noise(drawn, look.seed + 80) + 0.5F * noise(drawn * 2.1F, look.seed + 81));
-    sum += at[Brow] * (0.18F + 0.72F * strokes);
+  float sum = at[Brow] * (0.16F + 0.12F * noise(at.p / 1.1F, look.seed + 80));
+  const float shaved = look.stubble * std::max(at[Scalp] * (1.0F - at[Ear]), 0.8F * at[Beard]);
+  if (shaved > 0.0F) {
+    // Thicker here, thinner there, and each hair's end a dot.
+    const float growth = 0.9F + 0.12F * fractal(at.p / 13.0F, 2, look.seed + 82);
+    const float dots = bell(cells(at.p / 0.95F, look.seed + 83).first, 0.3F);
+    sum += shaved * growth * (0.30F + 0.60F * dots);
   }
-  const float shaved = at[Scalp] * (1.0F - at[Ear]);
-  if (shaved > 0.0F) sum += shaved * (0.07F + 0.16F * std::max(noise(at.p / 0.9F, look.seed + 82), 0.0F));
-  return std::min(sum, 1.0F);
+  return std::clamp(sum, 0.0F, 1.0F);
 }
 
 /// Veins near the surface, 0..1: at the temples, on the lids, on neck and chest.
@@ -84,8 +80,8 @@ PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
   PigmentLayers out;
 
   // Melanin: where the sun falls and round the eyes more, on lips less; mottled at three sizes.
-  float melanin = 1.0F + 0.16F * at[Forehead] + 0.12F * at[Nose] + 0.3F * at[UpperLid] + 0.14F * at[LowerLid] +
-                  0.2F * at[UnderEye] - 0.16F * at[Neck] * glm::smoothstep(0.0F, 30.0F, at.p.z) + 0.1F * at[Chest];
+  float melanin = 1.0F + 0.16F * at[Forehead] + 0.12F * at[Nose] + 0.18F * at[UpperLid] + 0.08F * at[LowerLid] +
+                  0.1F * at[UnderEye] - 0.16F * at[Neck] * glm::smoothstep(0.0F, 30.0F, at.p.z) + 0.1F * at[Chest];
   const float mottle = 1.0F + 0.8F * old;
   melanin *= std::exp(mottle * (0.14F * fractal(at.p / 16.0F, 3, s + 10) + 0.10F * fractal(at.p / 3.4F, 2, s + 20)));
   melanin *= 1.0F + freckles(at, look) + ageSpots(at, look) + moles(at, look);
@@ -95,7 +91,7 @@ PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
   out.melanin *= 1.0F - 0.7F * std::max(at[Caruncle], at[LidMargin]);
 
   // Blood: full where the skin is thin or the vessels wide.
-  const float warm = 0.45F * at[Cheek] + 0.5F * at[NoseTip] + 0.2F * at[Nose] + 0.65F * at[Ear] + 0.35F * at[UpperLid] +
+  const float warm = 0.35F * at[Cheek] + 0.5F * at[NoseTip] + 0.2F * at[Nose] + 0.65F * at[Ear] + 0.35F * at[UpperLid] +
                      0.3F * at[LowerLid] + 0.3F * at[Chin] + 0.4F * at[UnderEye] - 0.2F * at[Forehead] -
                      0.1F * at[Neck];
   const float flushed = look.flush * (1.7F * at[Cheek] + 1.4F * at[NoseTip] + 1.3F * at[Ear] + 0.5F * at[Chin] +

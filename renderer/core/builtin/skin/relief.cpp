@@ -153,4 +153,10 @@ float reliefHeight(const SkinPlace& at, const HeadRegions& curves, const Look& l
   return height * (1.0F - at[Hidden]) * (1.0F - 0.8F * std::max(at[LidMargin], at[Caruncle]));
 }
 
+float fineRelief(const SkinPlace& at) {
+  const float smooth = std::max({0.75F * at[Lips], 0.55F * at[Ear], 0.5F * at[UpperLid], 0.4F * at[LowerLid]});
+  const float strong = 0.62F + 0.38F * std::max({at[Cheek], at[NoseTip], at[Chin], 0.8F * at[Forehead]});
+  return strong * (1.0F - smooth) * (1.0F - std::max({at[LidMargin], at[Caruncle], at[Hidden]}));
+}
+
 }  // namespace dermis::skin

@@ -13,8 +13,9 @@ struct Look {
   float melanin = 1.0F;  ///< factors on the tone's own
   float haemoglobin = 1.0F;
   float age = 28.0F;       ///< years
-  float freckles = 0.15F;  ///< 0 none, 1 covered
+  float freckles = 0.08F;  ///< 0 none, 1 covered
   float flush = 0.25F;     ///< of cheeks, nose, ears
+  float stubble = 0.4F;    ///< of beard and shaved scalp: 0 none, 1 three days old
   std::uint32_t seed = 1;
   bool operator==(const Look&) const = default;
 };
@@ -38,6 +39,9 @@ struct PigmentLayers {
 /// texels is left out.
 [[nodiscard]] float reliefHeight(const SkinPlace& place, const HeadRegions& curves, const Look& look,
                                  float millimetresPerTexel);
+
+/// How strong the finest relief is, 0..1.
+[[nodiscard]] float fineRelief(const SkinPlace& place);
 
 /// Perceptual roughness.
 [[nodiscard]] float skinRoughness(const SkinPlace& place, const Look& look);
