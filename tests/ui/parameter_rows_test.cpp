@@ -143,7 +143,7 @@ TEST_F(ParameterRows, SwitchingTheModelAndBackKeepsTheValues) {
 
 TEST_F(ParameterRows, TheSlotComboShowsTheOtherSlotsValues) {
   auto* slots_ = find<QComboBox>(QStringLiteral("material.slot"));
-  ASSERT_EQ(slots_->count(), 3);
+  ASSERT_EQ(slots_->count(), 4);
   const QString first = document().currentSlot();
   document().setParameter(first, "specular.perceptual_roughness", 0.9F, newGesture());
   document().setCurrentSlot(slots_->itemText(2));
