@@ -65,6 +65,7 @@ int runCommand(int argc, char** argv) {
   Action action;
   dermis::cli::addRender(app, action);
   dermis::cli::addBake(app, action);
+  dermis::cli::addExport(app, action);
   dermis::cli::addInspect(app, action);
   dermis::cli::addCompare(app, action);
   dermis::cli::addVerify(app, action);

@@ -5,9 +5,8 @@
 #include <memory>
 
 #include "app/commands/bake.h"
+#include "app/commands/look.h"
 #include "core/bake/texel_bake.h"
-#include "core/base/file_reference.h"
-#include "core/io/asset_loader.h"
 #include "core/io/importer.h"
 
 namespace dermis::cli {
@@ -24,16 +23,8 @@ struct MeshOptions {
 
 Outcome<int> bakeMesh(const MeshOptions& options) {
   if (const auto fine = checkOutputFile(options.output, kExrOnly); !fine) return tl::unexpected(fine.error());
-  ModelSource source;
-  source.builtin.clear();
-  if (const auto name = builtinName(options.model))
-    source.builtin = *name;
-  else
-    source.path = options.model;
-  Warnings warnings;
-  const auto model = resolveModel(source, fs::current_path(), {}, warnings);
-  printWarnings(warnings);
-  if (!model) return failure(model.error());
+  const auto model = readModel(options.model);
+  if (!model) return tl::unexpected(model.error());
 
   ProgressLine progress;
   std::atomic<float> share = 0.0F;

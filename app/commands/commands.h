@@ -11,6 +11,7 @@ namespace dermis::cli {
 
 void addRender(CLI::App& root, Action& action);
 void addBake(CLI::App& root, Action& action);
+void addExport(CLI::App& root, Action& action);
 void addInspect(CLI::App& root, Action& action);
 void addCompare(CLI::App& root, Action& action);
 void addVerify(CLI::App& root, Action& action);

@@ -318,4 +318,18 @@ Outcome<Look> resolveLook(const LookOptions& options, ProgressLine& progress, Wa
   return look;
 }
 
+Outcome<std::shared_ptr<const Model>> readModel(const std::string& reference) {
+  ModelSource source;
+  source.builtin.clear();
+  if (const auto name = builtinName(reference))
+    source.builtin = *name;
+  else
+    source.path = reference;
+  Warnings warnings;
+  auto model = resolveModel(source, std::filesystem::current_path(), {}, warnings);
+  printWarnings(warnings);
+  if (!model) return failure(model.error());
+  return std::move(*model);
+}
+
 }  // namespace dermis::cli

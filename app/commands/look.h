@@ -32,4 +32,7 @@ struct Look {
 /// unusable files.
 [[nodiscard]] Outcome<Look> resolveLook(const LookOptions& options, ProgressLine& progress, Warnings& warnings);
 
+/// A model by itself: a file or "builtin:NAME". Prints its warnings.
+[[nodiscard]] Outcome<std::shared_ptr<const Model>> readModel(const std::string& reference);
+
 }  // namespace dermis::cli

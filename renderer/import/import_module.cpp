@@ -5,6 +5,7 @@
 #include "import/image_loader.h"
 #include "import/image_writer.h"
 #include "import/model_loader.h"
+#include "import/model_writer.h"
 
 namespace dermis {
 namespace {
@@ -34,6 +35,9 @@ class ModuleImporter final : public Importer {
   Result<void> writeImage(const std::filesystem::path& path, const std::vector<ImageLayer>& layers,
                           const ImageWriteOptions& options) const override {
     return import::writeImage(path, layers, options);
+  }
+  Result<void> writeModel(const std::filesystem::path& path, const Model& model) const override {
+    return import::writeModel(path, model);
   }
 };
 

@@ -60,6 +60,10 @@ class Importer {
   [[nodiscard]] virtual Result<void> writeImage(const std::filesystem::path& path,
                                                 const std::vector<ImageLayer>& layers,
                                                 const ImageWriteOptions& options) const = 0;
+
+  /// Writes .glb (metres), .obj with its .mtl, .ply or .stl (millimetres) by the extension: geometry, UVs and the slots'
+  /// names. Errors: Runtime.
+  [[nodiscard]] virtual Result<void> writeModel(const std::filesystem::path& path, const Model& model) const = 0;
 };
 
 /// The import module; loads it on the first call (thread-safe). Looks beside the executable, then in
