@@ -1,15 +1,23 @@
 #!/bin/bash
-# The contact sheet of the built-in presets: presets.sh DERMIS HEAD OUT.jpg [SAMPLES]
-# HEAD is a head in metres, the middle of its face near the origin, looking along +Z. Needs ImageMagick.
+# The contact sheet of the built-in presets on the built-in head: presets.sh DERMIS OUT.png [SAMPLES]
+# Needs ImageMagick.
 set -euo pipefail
-dermis=$1 head=$2 out=$3 samples=${4:-32}
+dermis=$1 out=$2 samples=${3:-12}
+here=$(cd -- "$(dirname -- "$0")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+camera='{"position": [0.14, -0.02, 0.95], "target": [0, -0.02, 0.02], "vertical_fov_degrees": 17}'
 pictures=()
-for preset in skin_tone_{i,ii,iii,iv,v,vi} skin_{freckled,flushed,pale_thin,elderly} wax jade marble milk; do
-  "$dermis" render "${0%/*}/portrait.dermis" --model "$head" --material "builtin:$preset" \
-    --size 256x320 --samples "$samples" --no-metadata -o "$folder/$preset.png"
-  label=${preset#skin_}
-  pictures+=(-label "${label//_/ }" "$folder/$preset.png")
+for file in "$here"/../../resources/presets/*.json; do
+  preset=$(basename "$file" .json)
+  case $preset in
+    *_eye) slot=eye ;;
+    *_lens) slot=lens ;;
+    *) slot=face ;;
+  esac
+  "$dermis" render --model builtin:head --camera "$camera" --material "$slot=builtin:$preset" \
+    --size 152x190 --samples "$samples" --no-metadata -o "$folder/$preset.png"
+  pictures+=(-label "${preset//_/ }" "$folder/$preset.png")
 done
-montage "${pictures[@]}" -tile 7x2 -geometry +4+2 -background '#303030' -fill '#d8d8d8' -font "$(fc-match -f "%{file}" sans)" -pointsize 15 -quality 88 "$out"
+montage "${pictures[@]}" -tile 8x -geometry +3+2 -background '#202020' -fill '#d0d0d0' -font "$(fc-match -f '%{file}' sans)" -pointsize 11 \
+  -define png:compression-level=9 "$out"

@@ -45,8 +45,8 @@ float Ear::join(float head, const glm::vec3& q) const {
   float ear = std::abs(at.z - map.height) * flat - 0.5F * map.thickness;
   ear = smoothMax(ear, map.outline + 0.6F, 2.2F);
   ear = smoothMin(ear, m_helix.tube(at), 1.6F);
-  const glm::vec3 tragus = turned(at - glm::vec3(-1.9F, -4.0F, 0.6F), -0.55F, 0.0F);
-  ear = smoothMin(ear, ellipsoid(tragus, glm::vec3(0.0F), {4.6F, 5, 2}), 3.5F);
+  const glm::vec3 tragus = turned(at - glm::vec3(-2.1F, -3.8F, 0.3F), -0.55F, 0.0F);
+  ear = smoothMin(ear, ellipsoid(tragus, glm::vec3(0.0F), {4.4F, 5.4F, 2}), 4.0F);
   // The concha goes into the skull, above the plate.
   const float hollow = smoothMax(map.concha + 0.4F, map.height + 0.35F * map.thickness / flat - at.z, 1.5F);
   const float joined = smoothMin(smoothMax(head, -hollow, 1.2F), ear, 3.0F);

@@ -128,7 +128,7 @@ EarMap::EarMap()
       float height = -glm::mix(9.0F, 11.5F, fade(-6.0F, 4.0F, p.y)) * fade(-4.2F, 1.6F, concha);
       height += raisedBy(folds, {p.x, p.y, 0.0F});
       height -= 1.7F * blob(p, {8.2F, 19.4F}, {22, 16});                          // triangular fossa
-      height += 1.3F * blob(p, {8.5F, -14.2F}, {16, 16});                         // antitragus
+      height += 0.9F * blob(p, {8.5F, -14.2F}, {20, 18});                         // antitragus
       height += 1.4F * blob(p, {5.5F, -25}, {60, 60});                            // the lobe's swelling
       height -= fade(-30.0F, -12.0F, p.y) + 0.03F * std::max(0.0F, p.y - 14.0F);  // lobe and top turn in a little
       const float thickness = 2.7F + 2.2F * blob(p, {6, -25}, {90, 90}) + 1.2F * fade(-3.0F, 2.0F, concha);

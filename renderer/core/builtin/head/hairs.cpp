@@ -53,13 +53,13 @@ void growBrow(const Sculpt& sculpt, Random& random, int pieces, std::vector<Hair
   const Brow brow;
   for (int i = 0; i < kCount; ++i) {
     // More at the inner half, and more in the middle than at the edges.
-    const float x = glm::mix(9.0F, 54.0F, std::pow(random.next(), 1.15F));
+    const float x = glm::mix(8.0F, 54.0F, std::pow(random.next(), 1.08F));
     const float over = random.next() + random.next() - 1.0F;  // −1 below, 1 above
     const float along = ramp(9.0F, 54.0F, x);
     const float y = brow.height(x) + (0.95F * over - 0.1F) * brow.halfWidth(x);
     const float rise = glm::mix(1.25F, 0.45F, ramp(8.0F, 19.0F, x)) - 0.35F * ramp(19.0F, 48.0F, x);
     const float meet = -0.42F * over * ramp(11.0F, 24.0F, x);
-    const float angle = std::atan(brow.slope(x)) + rise + meet + random.between(-0.16F, 0.16F);
+    const float angle = std::atan(brow.slope(x)) + rise + meet + random.between(-0.2F, 0.2F);
     const float length = random.between(0.75F, 1.15F) * glm::mix(6.2F, 8.2F, bell(along - 0.45F, 0.35F)) *
                          (1.0F - 0.35F * ramp(0.8F, 1.0F, along));
     Hair hair = lyingHair(sculpt, onFront(sculpt, x, y), {std::cos(angle), std::sin(angle)},

@@ -88,7 +88,7 @@ Head makeHead(HeadLevel level) {
   Model model = faceModel(mesh, normals);
   appendModel(model, bothEyes(makeEyeball(kEyeSegments[index])));
   appendModel(model, bothEyes(makeCornea(kEyeSegments[index])));
-  constexpr std::array<int, 3> kHairPieces = {3, 4, 5};
+  constexpr std::array<int, 3> kHairPieces = {2, 3, 5};
   Model hairs = makeHairs(sculpt, kHairPieces[index]);
   completeTangents(hairs);
   appendModel(model, hairs, {glm::vec3(kMetresPerMillimetre), {}, glm::vec3(0.0F)});

@@ -6,7 +6,7 @@ namespace dermis {
 namespace {
 
 /// Tiles of builtin:skin_detail across the atlas: 40 mm each.
-constexpr float kHeadDetailTiling = 14.0F;
+constexpr float kHeadDetailTiling = 15.0F;
 
 /// Less than the ears, more than what a ray measures at the edge of a lid or in the slit between the lips.
 constexpr float kThinnestMm = 2.5F;
@@ -40,7 +40,8 @@ Material eyeMaterial() {
   Material material;
   material.name = "Eye";
   material.model = ShadingModel::Eye;
-  material.parameters.eyeIrisColor = {{0.07F, 0.14F, 0.17F}};
+  material.parameters.eyeIrisColor = {{0.075F, 0.13F, 0.15F}};
+  material.parameters.eyeScleraColor = {{0.68F, 0.61F, 0.565F}};
   return material;
 }
 
@@ -58,8 +59,7 @@ Material hairMaterial() {
   material.model = ShadingModel::MetallicRoughness;
   material.parameters.baseAlbedo = {{0.050F, 0.030F, 0.019F}};
   material.parameters.baseMetallic = 0.0F;
-  material.parameters.specularIor = 1.55F;
-  material.parameters.specularPerceptualRoughness = 0.5F;
+  material.parameters.specularPerceptualRoughness = 0.7F;
   return material;
 }
 
