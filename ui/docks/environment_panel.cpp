@@ -1,14 +1,10 @@
 #include "ui/docks/environment_panel.h"
 
-#include <QBuffer>
-#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QListWidget>
 #include <QPushButton>
-#include <QSettings>
 #include <QVBoxLayout>
 
-#include "core/builtin/environments.h"
+#include "ui/browse/environment_list.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/rows/choice_editors.h"
@@ -19,64 +15,34 @@
 #include "ui/text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
-#include "ui/thumbnails.h"
 
 namespace dermis {
-namespace {
-
-constexpr QSize kThumbnail(112, 56);
-constexpr int kBuiltinRole = Qt::UserRole;
-constexpr int kPathRole = Qt::UserRole + 1;
-constexpr int kRecent = 12;
-const QString kRecentKey = QStringLiteral("environments/recent");
-
-QString thumbnailKey(const QString& path) {
-  return QStringLiteral("environments/thumbnails/") + QString::number(qHash(path));
-}
-
-}  // namespace
-
-EnvironmentPanel::EnvironmentPanel(Document& document, Loading& loading, QWidget* parent)
+EnvironmentPanel::EnvironmentPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent)
     : Panel(parent), m_document(document), m_loading(loading) {
-  buildList();
+  buildList(preferences);
   buildRows();
   finish();
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if (what == Change::Everything || what == Change::Environment) refresh();
   });
-  refreshList();
   refresh();
 }
 
-void EnvironmentPanel::buildList() {
-  m_list = new QListWidget(this);
-  m_list->setObjectName(QStringLiteral("environment.list"));
-  m_list->setAccessibleName(tr("Environments"));
-  m_list->setViewMode(QListView::IconMode);
-  m_list->setIconSize(kThumbnail);
-  m_list->setGridSize(QSize(128, 86));
-  m_list->setResizeMode(QListView::Adjust);
-  m_list->setMovement(QListView::Static);
-  m_list->setUniformItemSizes(true);
-  m_list->setWordWrap(false);
-  m_list->setTextElideMode(Qt::ElideMiddle);
-  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_list->setFixedHeight(186);
+void EnvironmentPanel::buildList(Preferences& preferences) {
+  m_list = new EnvironmentList(preferences, this);
   strip()->addWidget(m_list);
   auto* choose = new QPushButton(themeIcon("open"), tr("Choose file…"), this);
   choose->setObjectName(QStringLiteral("environment.choose"));
+  choose->setToolTip(tr("An .hdr or .exr panorama, or a light rig"));
   strip()->addWidget(choose);
   connect(choose, &QPushButton::clicked, this, &EnvironmentPanel::chooseFileRequested);
-  connect(m_list, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
+  connect(m_list, &EnvironmentList::chosen, this, [this](const QString& builtin, const QString& path) {
     EnvironmentSource source = m_document.scene().environment;
-    const QString path = item->data(kPathRole).toString();
-    if (source.path == path.toStdString() &&
-        (!path.isEmpty() || source.builtin == item->data(kBuiltinRole).toString().toStdString()))
-      return;
+    if (source.path == path.toStdString() && (!path.isEmpty() || source.builtin == builtin.toStdString())) return;
     source.faces = {};
     source.constant.reset();
     source.path = path.toStdString();
-    source.builtin = item->data(kBuiltinRole).toString().toStdString();
+    source.builtin = builtin.toStdString();
     m_loading.setEnvironment(source);
   });
 }
@@ -135,58 +101,9 @@ void EnvironmentPanel::edit(const QString& what, quint64 gesture,
   m_document.setEnvironmentSettings(next, what, gesture);
 }
 
-void EnvironmentPanel::refreshList() {
-  m_list->clear();
-  for (const BuiltinEnvironmentRow& row : builtinEnvironments()) {
-    auto* item = new QListWidgetItem(text(row.label), m_list);
-    item->setData(kBuiltinRole, text(row.id));
-    item->setToolTip(text(row.sentence));
-    if (const auto images = builtinEnvironment(row.id, 2 * kThumbnail.width()))
-      item->setIcon(QIcon(QPixmap::fromImage(panoramaThumbnail(*images, kThumbnail))));
-  }
-  QSettings settings;
-  for (const QString& path : settings.value(kRecentKey).toStringList()) {
-    if (!QFileInfo::exists(path)) continue;
-    auto* item = new QListWidgetItem(QFileInfo(path).fileName(), m_list);
-    item->setData(kPathRole, path);
-    item->setToolTip(path);
-    QImage picture;
-    picture.loadFromData(settings.value(thumbnailKey(path)).toByteArray(), "PNG");
-    if (!picture.isNull()) item->setIcon(QIcon(QPixmap::fromImage(picture)));
-  }
-}
-
-void EnvironmentPanel::rememberFile() {
-  const QString path = text(m_document.scene().environment.path);
-  if (path.isEmpty() || !m_document.environmentImages()) return;
-  QSettings settings;
-  QStringList recent = settings.value(kRecentKey).toStringList();
-  if (recent.value(0) == path) return;
-  recent.removeAll(path);
-  recent.prepend(path);
-  while (recent.size() > kRecent) settings.remove(thumbnailKey(recent.takeLast()));
-  settings.setValue(kRecentKey, recent);
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  panoramaThumbnail(*m_document.environmentImages(), kThumbnail).save(&buffer, "PNG");
-  settings.setValue(thumbnailKey(path), bytes);
-  refreshList();
-}
-
 void EnvironmentPanel::refresh() {
   const EnvironmentSource& source = m_document.scene().environment;
-  rememberFile();
-  const QSignalBlocker blocker(m_list);
-  m_list->clearSelection();
-  m_list->setCurrentItem(nullptr);
-  for (int i = 0; i < m_list->count(); ++i) {
-    QListWidgetItem* item = m_list->item(i);
-    const bool same = source.path.empty() ? (!source.constant && !source.hasFaces() &&
-                                             text(source.builtin) == item->data(kBuiltinRole).toString())
-                                          : text(source.path) == item->data(kPathRole).toString();
-    if (same) m_list->setCurrentItem(item);
-  }
+  m_list->showUsed(source);
   m_rotation->showValue(ParameterValue(source.rotationDegrees));
   m_exposure->showValue(ParameterValue(source.exposureStops));
   m_background->showValue(ParameterValue(EnumValue{static_cast<int>(source.background.kind)}));

@@ -6,33 +6,31 @@
 #include "core/scene/scene.h"
 #include "ui/docks/panel.h"
 
-class QListWidget;
-
 namespace dermis {
 
 class Document;
+class EnvironmentList;
 class Loading;
+class Preferences;
 class PropertyRow;
 
 class EnvironmentPanel : public Panel {
   Q_OBJECT
  public:
-  EnvironmentPanel(Document& document, Loading& loading, QWidget* parent = nullptr);
+  EnvironmentPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   void chooseFileRequested();
 
  private:
-  void buildList();
+  void buildList(Preferences& preferences);
   void buildRows();
   void refresh();
-  void refreshList();
-  void rememberFile();
   void edit(const QString& what, quint64 gesture, const std::function<void(EnvironmentSource&)>& change);
 
   Document& m_document;
   Loading& m_loading;
-  QListWidget* m_list = nullptr;
+  EnvironmentList* m_list = nullptr;
   PropertyRow* m_rotation = nullptr;
   PropertyRow* m_exposure = nullptr;
   PropertyRow* m_background = nullptr;

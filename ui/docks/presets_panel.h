@@ -1,43 +1,82 @@
-// The Presets dock: the looks that the program carries, and those of the user's folder.
+// The Presets dock: the looks that the program carries and those of watched folders, searched, tried, kept.
 #pragma once
 
 #include <QWidget>
+#include <functional>
 
-class QFileSystemWatcher;
+#include "ui/browse/preset_library.h"
+#include "ui/browse/thumbnail_maker.h"
+
+class QComboBox;
+class QLabel;
 class QLineEdit;
-class QListWidget;
+class QMenu;
 class QPushButton;
+class QToolButton;
 
 namespace dermis {
 
 class Document;
 class Loading;
-
-/// Where the user's presets are kept; made when it is first needed.
-[[nodiscard]] QString userPresetFolder();
+class Preferences;
+class PresetList;
 
 class PresetsPanel : public QWidget {
   Q_OBJECT
  public:
-  PresetsPanel(Document& document, Loading& loading, QWidget* parent = nullptr);
-  /// Reads the user's folder again.
-  void refresh();
+  PresetsPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent = nullptr);
+  ~PresetsPanel() override;
+  [[nodiscard]] PresetLibrary& library() { return m_library; }
+  [[nodiscard]] ThumbnailMaker& thumbnails() { return m_thumbnails; }
+
+  // Each on the selected preset.
+  void duplicateSelected();
+  void renameSelected(const QString& name);
+  void setTagsOfSelected(const QStringList& tags);
+  void trashSelected();
+  /// Puts a preset on a slot.
+  void apply(const QString& path, const QString& slot);
 
  Q_SIGNALS:
   void saveRequested();
   void saveAsRequested();
 
  private:
-  void applySelected();
-  void refreshSelection();
+  void buildHead();
+  void buildFoot();
+  void fill();
   void filter();
+  void refreshWorn();
+  void refreshButtons();
+  void applySelected();
+  void revert();
+  void showThumbnail(const QString& key);
+  void showProgress(int done, int waiting);
+  void fillMenu(QMenu* menu);
+  void askName();
+  void askTags();
+  void remember();
+  void restore();
+  void tell(const Error& error);
+  [[nodiscard]] const PresetEntry* selected() const;
 
   Document& m_document;
   Loading& m_loading;
+  Preferences& m_preferences;
+  PresetLibrary m_library;
+  ThumbnailMaker m_thumbnails;
   QLineEdit* m_search = nullptr;
-  QListWidget* m_list = nullptr;
+  QComboBox* m_tag = nullptr;
+  PresetList* m_list = nullptr;
+  QLabel* m_nothing = nullptr;
+  QLabel* m_worn = nullptr;
+  QLabel* m_progress = nullptr;
+  QToolButton* m_cancel = nullptr;
   QPushButton* m_apply = nullptr;
-  QFileSystemWatcher* m_watcher = nullptr;
+  QToolButton* m_update = nullptr;
+  QToolButton* m_revert = nullptr;
+  QToolButton* m_more = nullptr;
+  bool m_restored = false;
 };
 
 }  // namespace dermis

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/file_reference.h"
 #include "ui/document/carry_over.h"
 #include "ui/document/section_command.h"
 
@@ -51,6 +52,10 @@ Scene Document::sceneForSaving() const {
   std::erase_if(scene.materials, [this](const auto& entry) {
     return entry.first != "*" && slotIndex(QString::fromStdString(entry.first)) < 0;
   });
+  // A preset that has been renamed or thrown away is kept in the scene itself: its path would open nothing.
+  for (auto& [slot, binding] : scene.materials)
+    if (!binding.presetPath.empty() && !namesNoFile(binding.presetPath) && !std::filesystem::exists(binding.presetPath))
+      binding.edited = true;
   scene.camera = m_now.camera;
   return scene;
 }

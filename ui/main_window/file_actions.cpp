@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "ui/docks/presets_panel.h"
+#include "ui/browse/preset_library.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/text.h"

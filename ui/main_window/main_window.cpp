@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/browse/preset_list.h"
 #include "ui/dialogs/screenshot_dialog.h"
 #include "ui/docks/camera_panel.h"
 #include "ui/docks/diffusion_panel.h"
@@ -67,10 +68,10 @@ void MainWindow::buildDocks() {
   m_material = new MaterialPanel(m_document, m_loading, this);
   m_textures = new TexturesPanel(m_document, m_loading, this);
   m_lights = new LightsPanel(m_document, this);
-  m_environment = new EnvironmentPanel(m_document, m_loading, this);
+  m_environment = new EnvironmentPanel(m_document, m_loading, m_preferences, this);
   m_camera = new CameraPanel(m_document, this);
   m_diffusion = new DiffusionPanel(m_document, this);
-  m_presets = new PresetsPanel(m_document, m_loading, this);
+  m_presets = new PresetsPanel(m_document, m_loading, m_preferences, this);
   m_log = new LogPanel(this);
   m_docks->add(tr("Presets"), QStringLiteral("presets"), m_presets);
   m_docks->add(tr("Environment"), QStringLiteral("environment"), m_environment);
@@ -242,11 +243,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!draggedPreset(event->mimeData()).isEmpty()) event->acceptProposedAction();
   if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
+  if (const QString preset = draggedPreset(event->mimeData()); !preset.isEmpty()) {
+    m_presets->apply(preset, m_document.currentSlot());
+    return;
+  }
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) m_files->open(url.toLocalFile());
 }

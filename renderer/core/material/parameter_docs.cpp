@@ -189,21 +189,25 @@ std::string parametersAsJsonSchema() {
   for (const ShadingModelRow& model : shadingModels()) models.push_back(std::string(model.id));
 
   const Json text = {{"type", "string"}};
-  const Json schema = {
-      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
-      {"title", "Dermis material preset, version " + std::to_string(kPresetVersion)},
-      {"type", "object"},
-      {"required", Json::array({"format", "version", "model", "parameters"})},
-      {"properties",
-       {{"format", {{"const", std::string(kPresetFormat)}}},
-        {"version", {{"const", kPresetVersion}}},
-        {"name", text},
-        {"model", {{"enum", models}}},
-        {"parameters", {{"type", "object"}, {"properties", parameters}}},
-        {"textures", {{"type", "object"}, {"properties", textures}}},
-        {"metadata",
-         {{"type", "object"}, {"properties", {{"author", text}, {"notes", text}, {"created_with", text}}}}}}},
-      {"$defs", {{"texture", textureSchema()}}}};
+  const Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                       {"title", "Dermis material preset, version " + std::to_string(kPresetVersion)},
+                       {"type", "object"},
+                       {"required", Json::array({"format", "version", "model", "parameters"})},
+                       {"properties",
+                        {{"format", {{"const", std::string(kPresetFormat)}}},
+                         {"version", {{"const", kPresetVersion}}},
+                         {"name", text},
+                         {"model", {{"enum", models}}},
+                         {"parameters", {{"type", "object"}, {"properties", parameters}}},
+                         {"textures", {{"type", "object"}, {"properties", textures}}},
+                         {"metadata",
+                          {{"type", "object"},
+                           {"properties",
+                            {{"author", text},
+                             {"notes", text},
+                             {"created_with", text},
+                             {"tags", {{"type", "array"}, {"items", text}}}}}}}}},
+                       {"$defs", {{"texture", textureSchema()}}}};
   return writeJson(schema);
 }
 

@@ -1,0 +1,65 @@
+// The presets there are: those that the program carries, and the files of watched folders.
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QHash>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/material/material.h"
+
+namespace dermis {
+
+/// Where the user's presets are kept; made when it is first needed.
+[[nodiscard]] QString userPresetFolder();
+
+struct PresetEntry {
+  QString path;  ///< "builtin:NAME", or a file
+  QString name;
+  Material material;
+  QStringList tags;  ///< the shading model, whose it is, and what its metadata say
+  QString key;       ///< of all that makes its thumbnail: content, maps, version
+  [[nodiscard]] bool isBuiltin() const;
+};
+
+class PresetLibrary : public QObject {
+  Q_OBJECT
+ public:
+  explicit PresetLibrary(QObject* parent = nullptr);
+  /// Beside the user's own. Reads all of them.
+  void setFolders(const QStringList& folders);
+  [[nodiscard]] const std::vector<PresetEntry>& entries() const { return m_entries; }
+  /// Null where there is none.
+  [[nodiscard]] const PresetEntry* find(const QString& path) const;
+  [[nodiscard]] QStringList tags() const;
+
+  // What is done with files. Each tells in one sentence what went wrong.
+  /// A copy among the user's presets; returns its path.
+  Result<QString> duplicate(const PresetEntry& entry);
+  /// Gives preset and file another name; returns the new path.
+  Result<QString> rename(const PresetEntry& entry, const QString& name);
+  Result<void> setTags(const PresetEntry& entry, const QStringList& tags);
+  Result<void> moveToTrash(const PresetEntry& entry);
+
+ public Q_SLOTS:
+  /// Reads the folders again; files that have not changed since are not read.
+  void refresh();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  void addBuiltins();
+  void addFile(const QString& path);
+
+  QStringList m_folders;
+  std::vector<PresetEntry> m_entries;
+  QHash<QString, PresetEntry> m_known;  ///< by path, modification time and size
+  QFileSystemWatcher m_watcher;
+  QTimer m_soon;
+};
+
+}  // namespace dermis

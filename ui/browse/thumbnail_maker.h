@@ -1,0 +1,53 @@
+// Thumbnails of presets, drawn by the program itself in a process of low priority, kept on disk.
+#pragma once
+
+#include <QImage>
+#include <QObject>
+#include <QProcess>
+#include <QSet>
+#include <QTimer>
+#include <deque>
+
+#include "ui/browse/preset_library.h"
+
+namespace dermis {
+
+class ThumbnailMaker : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr int kSide = 128;
+
+  explicit ThumbnailMaker(QObject* parent = nullptr);
+  ~ThumbnailMaker() override;
+
+  /// Null where there is none yet.
+  [[nodiscard]] QImage find(const PresetEntry& entry) const;
+  /// Those without a thumbnail are drawn, in this order; what waited before is forgotten.
+  void want(const std::vector<PresetEntry>& entries);
+  void cancel();
+  [[nodiscard]] int waiting() const { return static_cast<int>(m_queue.size()) + (m_current.isEmpty() ? 0 : 1); }
+
+ Q_SIGNALS:
+  void made(const QString& key);
+  /// `waiting` is 0 when all are drawn.
+  void progressed(int done, int waiting);
+
+ private:
+  struct Order {
+    QString key;
+    QStringList look;  ///< what of the command line says what is drawn
+  };
+  void next();
+  void finished(bool well);
+
+  QString m_folder;
+  QString m_program;
+  std::deque<Order> m_queue;
+  QString m_current;
+  QSet<QString> m_failed;
+  QProcess m_process;
+  QTimer m_later;
+  int m_done = 0;
+};
+
+}  // namespace dermis
