@@ -20,6 +20,7 @@
 #include "ui/main_window/safety_net.h"
 #include "ui/preferences/preferences.h"
 #include "ui/theme/theme.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
@@ -114,6 +115,7 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
   QApplication application(argc, argv);
   // QApplication adopts the user's locale; a decimal comma must not reach strtod in any library below us.
   std::setlocale(LC_NUMERIC, "C");
+  loadTranslation(application, QLocale(), translationFolder());
   applyTheme(application, Preferences().values().theme);
 
   MainWindow window;

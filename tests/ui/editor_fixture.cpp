@@ -5,6 +5,8 @@
 #include <QScrollArea>
 #include <cstdlib>
 
+#include "ui/docks/presets_panel.h"
+
 namespace dermis {
 
 void Editor::SetUp() {
@@ -12,6 +14,8 @@ void Editor::SetUp() {
     window = std::make_unique<MainWindow>();
     window->resize(1100, 700);
     window->viewport()->setTargetSamples(1);
+    // Whoever tests thumbnails draws one; nobody else wants the machine busy with them.
+    window->findChild<PresetsPanel*>()->thumbnails().setEnabled(false);
   }
   window->messageBar()->hide();
   window->show();

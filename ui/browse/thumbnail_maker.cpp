@@ -59,7 +59,7 @@ QImage ThumbnailMaker::find(const PresetEntry& entry) const {
 
 void ThumbnailMaker::want(const std::vector<PresetEntry>& entries) {
   m_queue.clear();
-  if (!QFileInfo(m_program).isExecutable()) return;
+  if (!m_enabled || !QFileInfo(m_program).isExecutable()) return;
   for (const PresetEntry& entry : entries) {
     if (entry.key == m_current || m_failed.contains(entry.key)) continue;
     if (QFileInfo::exists(m_folder + QLatin1Char('/') + entry.key + QStringLiteral(".png"))) continue;
@@ -94,6 +94,11 @@ void ThumbnailMaker::finished(bool well) {
   Q_EMIT progressed(m_done, waiting());
   if (m_queue.empty()) m_done = 0;
   next();
+}
+
+void ThumbnailMaker::setEnabled(bool enabled) {
+  m_enabled = enabled;
+  if (!enabled) cancel();
 }
 
 void ThumbnailMaker::cancel() {

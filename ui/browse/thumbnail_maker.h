@@ -25,6 +25,8 @@ class ThumbnailMaker : public QObject {
   /// Those without a thumbnail are drawn, in this order; what waited before is forgotten.
   void want(const std::vector<PresetEntry>& entries);
   void cancel();
+  /// Off: what is there is shown, nothing is drawn.
+  void setEnabled(bool enabled);
   [[nodiscard]] int waiting() const { return static_cast<int>(m_queue.size()) + (m_current.isEmpty() ? 0 : 1); }
 
  Q_SIGNALS:
@@ -48,6 +50,7 @@ class ThumbnailMaker : public QObject {
   QProcess m_process;
   QTimer m_later;
   int m_done = 0;
+  bool m_enabled = true;
 };
 
 }  // namespace dermis

@@ -29,7 +29,7 @@ class StateDelegate : public QStyledItemDelegate {
     }
     if (index.row() == m_stack.index()) styled.font.setWeight(QFont::DemiBold);
     const bool saved = index.row() == m_stack.cleanIndex();
-    const QString word = tr("saved");
+    const QString word = HistoryPanel::tr("saved");
     const int room = saved ? QFontMetrics(option.font).horizontalAdvance(word) + 2 * metrics::kGap : 0;
     styled.rect.adjust(0, 0, -room, 0);
     QStyledItemDelegate::paint(painter, styled, index);
@@ -40,9 +40,6 @@ class StateDelegate : public QStyledItemDelegate {
     painter->setPen(option.palette.color(QPalette::Mid));
     painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
     painter->restore();
-  }
-  QString displayText(const QVariant& value, const QLocale& locale) const override {
-    return QStyledItemDelegate::displayText(value, locale);
   }
 
  private:

@@ -26,9 +26,9 @@ QString TimeLeft::text() const {
     return QCoreApplication::translate("TimeLeft", sentence).arg(static_cast<int>(number));
   };
   // Rounded up, and coarser the longer it takes: a number that jumps is no help.
-  if (left < 10.0) return words("about %1 s left", std::ceil(std::max(left, 1.0)));
-  if (left < 90.0) return words("about %1 s left", 5.0 * std::ceil(left / 5.0));
-  return words("about %1 min left", std::ceil(left / 60.0));
+  if (left < 10.0) return words(QT_TRANSLATE_NOOP("TimeLeft", "about %1 s left"), std::ceil(std::max(left, 1.0)));
+  if (left < 90.0) return words(QT_TRANSLATE_NOOP("TimeLeft", "about %1 s left"), 5.0 * std::ceil(left / 5.0));
+  return words(QT_TRANSLATE_NOOP("TimeLeft", "about %1 min left"), std::ceil(left / 60.0));
 }
 
 }  // namespace dermis

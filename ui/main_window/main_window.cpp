@@ -130,8 +130,9 @@ void MainWindow::connectParts() {
     const Model& model = *m_document.model();
     const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
                           static_cast<double>(m_document.millimetresPerUnit());
-    m_about->setText(
-        tr("%L1 triangles   ·   %2 mm tall").arg(model.indices.size() / 3).arg(height, 0, 'f', height < 100 ? 1 : 0));
+    m_about->setText(tr("%L1 triangles   ·   %2 tall")
+                         .arg(model.indices.size() / 3)
+                         .arg(lengthText(height, m_preferences.values().unit)));
   });
   connect(m_camera, &CameraPanel::viewRequested, m_viewport, &Viewport::showNamedView);
   connect(m_camera, &CameraPanel::aovChosen, m_viewport, &Viewport::setAov);

@@ -103,10 +103,15 @@ void MainWindow::buildViewMenu() {
   menu->addSeparator();
   buildViewModes(menu);
   menu->addSeparator();
-  QAction* statistics =
-      add(menu, nullptr, tr("S&tatistics"), {}, this, [this](bool on) { m_viewport->setStatisticsVisible(on); });
+  QAction* statistics = add(menu, nullptr, tr("S&tatistics"), {}, this, [this](bool on) {
+    PreferenceValues values = m_preferences.values();
+    values.statistics = on;
+    m_preferences.set(values);
+  });
   statistics->setCheckable(true);
-  statistics->setChecked(true);
+  statistics->setChecked(m_preferences.values().statistics);
+  connect(&m_preferences, &Preferences::changed, statistics,
+          [this, statistics] { statistics->setChecked(m_preferences.values().statistics); });
 }
 
 void MainWindow::buildViewModes(QMenu* menu) {
@@ -159,10 +164,15 @@ void MainWindow::buildRenderMenu() {
   QMenu* samples = menu->addMenu(tr("&Samples while still"));
   auto* group = new QActionGroup(this);
   for (const int count : {1, 16, 64, 256}) {
-    QAction* action =
-        add(samples, nullptr, QString::number(count), {}, this, [this, count] { m_viewport->setTargetSamples(count); });
+    QAction* action = add(samples, nullptr, QString::number(count), {}, this, [this, count] {
+      PreferenceValues values = m_preferences.values();
+      values.stillSamples = count;
+      m_preferences.set(values);
+    });
     action->setCheckable(true);
-    action->setChecked(count == 64);
+    const auto show = [this, action, count] { action->setChecked(count == m_preferences.values().stillSamples); };
+    connect(&m_preferences, &Preferences::changed, action, show);
+    show();
     group->addAction(action);
   }
 }
