@@ -34,7 +34,7 @@ row views 4 front three-quarter profile from_below
 picture close eye 300x260 "$(camera -0.06 0.01 0.45 -0.032 0.004 0.07 9)" --environment builtin:window
 picture close mouth 300x260 "$(camera -0.1 -0.05 0.5 -0.004 -0.062 0.09 9)" --environment builtin:window
 picture close ear 300x260 "$(camera -0.55 0 0.06 -0.075 -0.015 -0.01 9)" --environment builtin:studio
-picture close back-lit 300x260 "$(camera 0.16 0.01 0.62 0.062 -0.01 0 13)" "${0%/*}/portrait.dermis"
+picture close back-lit 300x260 "$(camera 0.24 0.01 0.62 0.082 -0.016 -0.01 8)" --environment "${0%/*}/back-light.json"
 row close 4 eye mouth ear back-lit
 
 face=$(camera 0.1 -0.02 0.95 0 -0.02 0.02 17)

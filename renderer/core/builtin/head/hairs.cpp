@@ -13,6 +13,9 @@ namespace {
 
 constexpr glm::vec3 kUp(0, 1, 0);
 
+/// Roots begin over the skin by half the width of a pixel: one inside it would be taken for the body's far side.
+constexpr float kOffSkin = 0.16F;
+
 struct Hair {
   std::vector<glm::vec3> points;  ///< from the root to the tip, left side, in the symmetrical head
   float radius = 0.05F;           ///< mm at the root
@@ -37,7 +40,7 @@ Hair lyingHair(const Sculpt& sculpt, const glm::vec3& root, glm::vec2 direction,
     const Sculpt::Slope slope = sculpt.slope(p, kDelta);
     p = slope.onSkin(p, kMostStep);
     const glm::vec3 normal = glm::normalize(slope.gradient);
-    hair.points.push_back(p + normal * (lift * (1.0F - squared(1.0F - along)) - (i == 0 ? 0.15F : 0.0F)));
+    hair.points.push_back(p + normal * (kOffSkin + lift * (1.0F - squared(1.0F - along))));
     const float angle = bend / static_cast<float>(pieces);
     direction = {direction.x * std::cos(angle) - direction.y * std::sin(angle),
                  direction.x * std::sin(angle) + direction.y * std::cos(angle)};
@@ -88,7 +91,7 @@ void growLashes(const Sculpt& sculpt, Random& random, bool upper, int pieces, st
     const float curl = random.between(0.85F, 1.15F);
     Hair hair;
     hair.radius = upper ? random.between(0.055F, 0.075F) : random.between(0.032F, 0.048F);
-    glm::vec3 p = root - 0.2F * ahead;
+    glm::vec3 p = root + kOffSkin * ahead;
     for (int k = 0; k <= pieces; ++k) {
       hair.points.push_back(p);
       const float t = (static_cast<float>(k) + 0.5F) / static_cast<float>(pieces);

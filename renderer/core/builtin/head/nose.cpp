@@ -16,12 +16,15 @@ Nose::Nose()
                 {{0, -16, 97.2F}, 4.4F},
                 {{0, -27, 103.8F}, 5.0F},
                 {{0, -35, 108}, 6.0F}}),
-      m_flank({{{3, 2, 77.5F}, 4.6F}, {{4.6F, -10, 80}, 5.8F}, {{6, -22, 86}, 7.0F}, {{7.6F, -33, 95}, 6.4F}}),
+      m_flank({{{2.6F, 2, 76.5F}, 4.6F},
+               {{4.0F, -10, 78.5F}, 5.8F},
+               {{5.4F, -22, 84.5F}, 6.9F},
+               {{7.4F, -33, 94.6F}, 6.3F}}),
       m_columella(
           {{{0, -39.5F, 112}, 4.0F}, {{0, -43.5F, 107}, 3.2F}, {{0, -46.5F, 101}, 3.8F}, {{0, -47.5F, 96}, 4.5F}}) {}
 
 float Nose::bridge(const glm::vec3& p) const {
-  return smoothMin(m_dorsum.tube(p), m_flank.tube(mirrored(p, 2.0F)), 18.0F);
+  return smoothMin(m_dorsum.tube(p), m_flank.tube(mirrored(p, 2.0F)), 20.0F);
 }
 
 float Nose::lobule(const glm::vec3& p) const {
@@ -35,7 +38,7 @@ float Nose::lobule(const glm::vec3& p) const {
 
 float Nose::join(float face, const glm::vec3& p) const {
   if (far(p)) return face;
-  const float d = smoothMin(face, bridge(p), glm::mix(7.5F, 13.0F, fade(-20.0F, 4.0F, p.y)));
+  const float d = smoothMin(face, bridge(p), glm::mix(7.0F, 11.0F, fade(-20.0F, 4.0F, p.y)));
   return smoothMin(d, lobule(p), 6.5F);
 }
 
