@@ -83,7 +83,7 @@ TEST_F(DiffusionDock, ThePointerReadsTheCurve) {
 }
 
 TEST_F(DiffusionDock, SaysSoWhereNothingDiffuses) {
-  document().setShadingModel(document().currentSlot(), ShadingModel::MetallicRoughness);
+  document().setShadingModel({document().currentSlot()}, ShadingModel::MetallicRoughness);
   EXPECT_FALSE(plot->isVisible());
   undo().undo();
   EXPECT_TRUE(plot->isVisible());

@@ -155,7 +155,7 @@ TEST_F(Files, AMapOnAnUntouchedValueSetsItToOneInTheSameStep) {
   const Colour before = document().currentLook()->worn.material.parameters.baseAlbedo;
   document().setParameter(document().currentSlot(), "base.albedo", MaterialParameters{}.baseAlbedo, newGesture());
   const int entries = undo().count();
-  window->loading().assignTexture(document().currentSlot(), TextureSlot::Albedo,
+  window->loading().assignTexture({document().currentSlot()}, TextureSlot::Albedo,
                                   folder.filePath(QStringLiteral("albedo.png")).toStdString());
   ASSERT_TRUE(waitIdle());
   EXPECT_EQ(undo().count(), entries + 1);

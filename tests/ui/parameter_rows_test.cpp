@@ -7,6 +7,7 @@
 #include "core/material/parameter_table.h"
 #include "ui/editor_fixture.h"
 #include "ui/rows/choice_editors.h"
+#include "ui/rows/number_text.h"
 
 namespace dermis {
 namespace {
@@ -116,7 +117,7 @@ TEST_F(ParameterRows, DoubleClickOnTheLabelResets) {
 TEST_F(ParameterRows, EveryRowOfEveryModelIsReachableAndNamed) {
   const QString slot = document().currentSlot();
   for (const ShadingModelRow& model : shadingModels()) {
-    document().setShadingModel(slot, model.model);
+    document().setShadingModel({slot}, model.model);
     for (const ParameterRow& parameter : parameterTable()) {
       const QString id = QString::fromUtf8(parameter.id.data(), static_cast<qsizetype>(parameter.id.size()));
       auto* row = find<PropertyRow>(id);
@@ -175,6 +176,127 @@ TEST_F(ParameterRows, SearchFindsByGroupLabelAndId) {
   EXPECT_TRUE(find<PropertyRow>(QStringLiteral("specular.ior"))->isHidden());
   search->clear();
   EXPECT_FALSE(find<PropertyRow>(QStringLiteral("specular.ior"))->isHidden());
+}
+
+TEST_F(ParameterRows, CtrlFFindsTheSearchAndEscapeEmptiesIt) {
+  auto* search = find<QLineEdit>(QStringLiteral("material.search"));
+  reveal(find<PropertyRow>(QStringLiteral("environment.exposure_stops")));
+  window->activateWindow();
+  window->viewport()->setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window->viewport()->hasFocus(); }, 3000));
+  QTest::keyClick(window->viewport(), Qt::Key_F, Qt::ControlModifier);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return search->hasFocus(); }, 3000));
+  QTest::keyClicks(search, QStringLiteral("ior"));
+  EXPECT_TRUE(find<PropertyRow>(QStringLiteral("subsurface.scale"))->isHidden());
+  QTest::keyClick(search, Qt::Key_Escape);
+  EXPECT_TRUE(search->text().isEmpty());
+  EXPECT_FALSE(find<PropertyRow>(QStringLiteral("subsurface.scale"))->isHidden());
+}
+
+TEST_F(ParameterRows, EveryRowSaysWhatItMeansInItsTip) {
+  for (const ParameterRow& parameter : parameterTable()) {
+    auto* row = find<PropertyRow>(QString::fromUtf8(parameter.id.data(), static_cast<qsizetype>(parameter.id.size())));
+    ASSERT_NE(row, nullptr);
+    const QString start = QString::fromUtf8(parameter.sentence.data(), 12).toHtmlEscaped();
+    for (QWidget* control : row->editor()->findChildren<QWidget*>({}, Qt::FindDirectChildrenOnly))
+      EXPECT_TRUE(control->whatsThis().contains(start)) << parameter.id << " " << control->metaObject()->className();
+    EXPECT_TRUE(row->toolTip().contains(start)) << parameter.id;
+    if (!parameter.source.empty())
+      EXPECT_TRUE(row->toolTip().contains(QString::fromUtf8(parameter.source.data(), 6))) << parameter.id;
+  }
+}
+
+TEST_F(ParameterRows, StepsWithinAPauseAreOneEntryAndBackAgainIsNone) {
+  auto* field = find<NumberField>(QStringLiteral("specular.lobe_mix.number"));
+  reveal(field);
+  window->activateWindow();
+  field->setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return field->hasFocus(); }, 3000));
+  for (int i = 0; i < 4; ++i) QTest::keyClick(field, Qt::Key_Down);
+  EXPECT_EQ(undo().count(), 1);
+  for (int i = 0; i < 4; ++i) QTest::keyClick(field, Qt::Key_Up);
+  EXPECT_EQ(undo().count(), 0);
+  QTest::keyClick(field, Qt::Key_Down);
+  QTest::qWait(450);
+  QTest::keyClick(field, Qt::Key_Down);
+  EXPECT_EQ(undo().count(), 2);
+}
+
+TEST_F(ParameterRows, TypingTakesUnits) {
+  auto* field = find<NumberField>(QStringLiteral("transmission.thickness_max_mm.number"));
+  reveal(field);
+  const auto thickness = [this] {
+    return document().currentLook()->worn.material.parameters.transmissionThicknessMaxMm;
+  };
+  const auto type = [&](const QString& words) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, words);
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  type(QStringLiteral("0.5 cm"));
+  EXPECT_FLOAT_EQ(thickness(), 5.0F);
+  type(QStringLiteral("0,012 m"));
+  EXPECT_FLOAT_EQ(thickness(), 12.0F);
+  type(QStringLiteral("1in"));
+  EXPECT_FLOAT_EQ(thickness(), 25.4F);
+  type(QStringLiteral("3 kg"));
+  EXPECT_FLOAT_EQ(thickness(), 25.4F);
+}
+
+TEST(NumberText, ReadsCommasGroupsAndUnits) {
+  const auto read = [](const char* words, const char* unit = "") {
+    return parseNumber(QString::fromUtf8(words), QString::fromUtf8(unit));
+  };
+  EXPECT_DOUBLE_EQ(*read("0,45"), 0.45);
+  EXPECT_DOUBLE_EQ(*read("1.234,5"), 1234.5);
+  EXPECT_DOUBLE_EQ(*read("1,234.5"), 1234.5);
+  EXPECT_DOUBLE_EQ(*read("-3e-2"), -0.03);
+  EXPECT_DOUBLE_EQ(*read("−2"), -2.0);
+  EXPECT_DOUBLE_EQ(*read("45 %"), 0.45);
+  EXPECT_DOUBLE_EQ(*read("0.5 cm", "mm"), 5.0);
+  EXPECT_DOUBLE_EQ(*read("250 µm", "mm"), 0.25);
+  EXPECT_DOUBLE_EQ(*read("2 mm", "mm"), 2.0);
+  EXPECT_NEAR(*read("1.5708 rad", "°"), 90.0, 1e-3);
+  EXPECT_DOUBLE_EQ(*read("0.01 cm²", "mm²"), 1.0);
+  EXPECT_DOUBLE_EQ(*read("1 mm2", "mm²"), 1.0);
+  EXPECT_DOUBLE_EQ(*read("2 x", "×"), 2.0);
+  EXPECT_FALSE(read("2 mm"));
+  EXPECT_FALSE(read("2 kg", "mm"));
+  EXPECT_FALSE(read("2 mm", "mm²"));
+  EXPECT_FALSE(read("mm", "mm"));
+  EXPECT_FALSE(read(""));
+}
+
+TEST(NumberFields, AreRightInALocaleWithADecimalComma) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::Croatian, QLocale::Croatia));
+  ASSERT_EQ(QLocale().decimalPoint(), QStringLiteral(","));
+  {
+    QWidget holder;
+    NumberField field(NumberRange{0.0, 10000.0, 0.0, 1.0, QStringLiteral("mm")}, &holder);
+    holder.show();
+    holder.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&holder, kPatienceMs));
+    const auto typed = [&](const char* words) {
+      field.setFocus();
+      field.selectAll();
+      QTest::keyClicks(&field, QLatin1String(words));
+      QTest::keyClick(&field, Qt::Key_Return);
+      return field.value();
+    };
+    EXPECT_DOUBLE_EQ(typed("0,45"), 0.45);
+    EXPECT_DOUBLE_EQ(typed("0.75"), 0.75);
+    EXPECT_DOUBLE_EQ(typed("1.250,5"), 1250.5);
+    EXPECT_DOUBLE_EQ(typed("1,5 cm"), 15.0);
+    // What it shows can be typed again and means the same.
+    field.showNumber(1234.5);
+    EXPECT_DOUBLE_EQ(*parseNumber(field.text()), 1234.5);
+    QTest::keyClick(&field, Qt::Key_Up);
+    EXPECT_GT(field.value(), 1234.5);
+    EXPECT_LT(field.value(), 1235.0);
+  }
+  QLocale::setDefault(before);
 }
 
 TEST(NumberFields, ShowTheDigitsThatFitAndKeepTheOthers) {

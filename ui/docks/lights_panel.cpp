@@ -58,7 +58,7 @@ LightsPanel::LightsPanel(Document& document, QWidget* parent) : Panel(parent), m
   buildRows();
   finish();
   connect(&m_document, &Document::changed, this, [this](Change what) {
-    if (what == Change::Everything || what == Change::Lights) refresh();
+    if (what == Change::Everything || what == Change::Lights || what == Change::Unit) refresh();
   });
   refresh();
 }

@@ -1,12 +1,17 @@
 #include "ui/docks/material_panel.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/material/value_json.h"
+#include "ui/docks/material_clipboard.h"
+#include "ui/docks/slot_chooser.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/rows/choice_editors.h"
@@ -20,35 +25,49 @@
 namespace dermis {
 namespace {
 
-/// What the tool tip of a row says: meaning, unit, range, source.
+/// What the tool tip of a row says: meaning, unit, range, default, source.
 QString helpFor(const ParameterRow& row) {
-  QString help = text(row.sentence);
+  QString help = text(row.sentence).toHtmlEscaped();
   const auto number = [](float v) { return QString::number(static_cast<double>(v), 'g', 6); };
   if (row.type == ParameterType::Enum || row.type == ParameterType::Bool)
     help += QStringLiteral("<br>");
   else
     help += QObject::tr("<br><br>Range %1 to %2 %3").arg(number(row.hardMin), number(row.hardMax), text(row.unit));
+  if (row.type != ParameterType::Gaussians)
+    help += QObject::tr("<br>Default %1").arg(text(parameterToText(row, row.defaultValue())));
   if (row.map) help += QObject::tr("<br>Multiplies the %1 map").arg(text(textureSlotRow(*row.map).label).toLower());
   if (!row.source.empty()) help += QObject::tr("<br>Source: %1").arg(text(row.source));
   return QStringLiteral("<qt>%1<br><span style='color:#909090'>%2</span></qt>").arg(help, text(row.id));
 }
 
+/// `mine` with those components of a vector replaced that an edit changed from `before` to `after`.
+ParameterValue onlyWhatChanged(const ParameterValue& before, const ParameterValue& after, const ParameterValue& mine) {
+  const auto merged = [&](auto from, auto to, auto own) {
+    for (int i = 0; i < decltype(own)::length(); ++i)
+      if (from[i] != to[i]) own[i] = to[i];
+    return ParameterValue(own);
+  };
+  if (const auto* v = std::get_if<glm::vec2>(&after))
+    return merged(std::get<glm::vec2>(before), *v, std::get<glm::vec2>(mine));
+  if (const auto* v = std::get_if<glm::vec3>(&after))
+    return merged(std::get<glm::vec3>(before), *v, std::get<glm::vec3>(mine));
+  return after;
+}
+
 }  // namespace
 
 MaterialPanel::MaterialPanel(Document& document, Loading& loading, QWidget* parent)
-    : Panel(parent), m_document(document), m_loading(loading) {
+    : Panel(parent),
+      m_document(document),
+      m_loading(loading),
+      m_clipboard(new MaterialClipboard(document, loading, this)) {
   buildStrip();
   buildRows();
   finish();
   connect(&m_document, &Document::changed, this, [this](Change what) {
-    if (what == Change::Everything) refreshSlots();
     if (what == Change::Everything || what == Change::Material) refresh();
   });
-  connect(&m_document, &Document::currentSlotChanged, this, [this] {
-    refreshSlots();
-    refresh();
-  });
-  refreshSlots();
+  connect(&m_document, &Document::currentSlotChanged, this, &MaterialPanel::refresh);
   refresh();
 }
 
@@ -62,10 +81,8 @@ void MaterialPanel::buildStrip() {
     grid->addWidget(l, row, 0);
   };
   label(tr("Slot"), 0);
-  m_slot = new QuietComboBox(this);
-  m_slot->setObjectName(QStringLiteral("material.slot"));
-  m_slot->setAccessibleName(tr("Material slot"));
-  grid->addWidget(m_slot, 0, 1, 1, 2);
+  m_slots = new SlotChooser(m_document, this);
+  grid->addWidget(m_slots, 0, 1, 1, 2);
   label(tr("Model"), 1);
   m_model = new QuietComboBox(this);
   m_model->setObjectName(QStringLiteral("material.model"));
@@ -97,12 +114,12 @@ void MaterialPanel::buildStrip() {
   m_search->setAccessibleName(tr("Search parameters"));
   m_search->setPlaceholderText(tr("Search parameters"));
   m_search->setClearButtonEnabled(true);
+  m_search->installEventFilter(this);
   m_search->addAction(themeIcon("search"), QLineEdit::LeadingPosition);
   strip()->addWidget(m_search);
 
-  connect(m_slot, &QComboBox::textActivated, &m_document, &Document::setCurrentSlot);
   connect(m_model, &QComboBox::activated, this, [this](int index) {
-    m_document.setShadingModel(m_document.currentSlot(), shadingModels()[static_cast<std::size_t>(index)].model);
+    m_document.setShadingModel(m_document.editedSlots(), shadingModels()[static_cast<std::size_t>(index)].model);
   });
   connect(m_search, &QLineEdit::textChanged, this, &MaterialPanel::refreshVisibility);
   connect(save, &QToolButton::clicked, this, &MaterialPanel::savePresetRequested);
@@ -116,15 +133,21 @@ void MaterialPanel::buildRows() {
     if (group == nullptr) {
       group = addGroup(text(parameter.group), QStringLiteral("material/") + text(parameter.group));
       m_groups.push_back(group);
+      group->addHeadActions({m_clipboard->copyGroupAction(text(parameter.group), group),
+                             m_clipboard->copyMaterialAction(), m_clipboard->pasteAction()});
     }
     auto* row =
         new PropertyRow(text(parameter.group), text(parameter.label), text(parameter.id), makeEditor(parameter), group);
     row->setDefault(parameter.defaultValue());
     row->setHelp(helpFor(parameter));
+    row->setParameter(parameter);
+    row->addActions({m_clipboard->copyGroupAction(text(parameter.group), row), m_clipboard->copyMaterialAction(),
+                     m_clipboard->pasteAction()});
     group->addRow(row);
-    connect(row, &PropertyRow::edited, this, [this, id = parameter.id](const ParameterValue& value, Gesture gesture) {
-      m_document.setParameter(m_document.currentSlot(), id, value, gesture);
-    });
+    connect(row, &PropertyRow::edited, this,
+            [this, &parameter](const ParameterValue& value, Gesture gesture) { edit(parameter, value, gesture); });
+    connect(row, &PropertyRow::problem, this,
+            [this](const QString& sentence) { Q_EMIT m_loading.message(MessageKind::Error, sentence); });
     m_entries.push_back({&parameter, row, group});
   }
   m_nothing = new QLabel(this);
@@ -135,19 +158,41 @@ void MaterialPanel::buildRows() {
   addWidget(m_nothing);
 }
 
-void MaterialPanel::refreshSlots() {
-  const QSignalBlocker blocker(m_slot);
-  const QStringList names = m_document.slotNames();
-  QStringList shown;
-  for (int i = 0; i < m_slot->count(); ++i) shown << m_slot->itemText(i);
-  if (shown != names) {
-    m_slot->clear();
-    m_slot->addItems(names);
+void MaterialPanel::edit(const ParameterRow& parameter, const ParameterValue& value, Gesture gesture) {
+  const SlotLook* current = m_document.currentLook();
+  if (current == nullptr) return;
+  const ParameterValue shown = parameter.get(current->worn.material.parameters);
+  std::vector<ParameterEdit> edits;
+  QStringList names;
+  for (const QString& slot : m_document.editedSlots()) {
+    const Material& material = m_document.slotLook(slot)->worn.material;
+    // A slot whose model lacks the parameter is left alone: nobody would see the change.
+    if (!parameter.usedBy(material.model)) continue;
+    edits.push_back({slot, &parameter, onlyWhatChanged(shown, value, parameter.get(material.parameters))});
+    names << slot;
   }
-  m_slot->setCurrentIndex(static_cast<int>(names.indexOf(m_document.currentSlot())));
+  m_document.setParameters(
+      edits, tr("%1 › %2 of %3").arg(text(parameter.group), text(parameter.label), names.join(QStringLiteral(", "))),
+      text(parameter.id), gesture);
+}
+
+QString MaterialPanel::differencesOf(const ParameterRow& parameter) const {
+  std::optional<ParameterValue> first;
+  bool differ = false;
+  QStringList lines;
+  for (const QString& slot : m_document.editedSlots()) {
+    const Material& material = m_document.slotLook(slot)->worn.material;
+    if (!parameter.usedBy(material.model)) continue;
+    const ParameterValue value = parameter.get(material.parameters);
+    differ = differ || (first && !(*first == value));
+    if (!first) first = value;
+    lines << slot + QStringLiteral(": ") + text(parameterToText(parameter, value));
+  }
+  return differ ? lines.join(QLatin1Char('\n')) : QString();
 }
 
 void MaterialPanel::refresh() {
+  m_slots->refresh();
   const SlotLook* look = m_document.currentLook();
   setEnabled(look != nullptr);
   if (look == nullptr) return;
@@ -169,6 +214,10 @@ void MaterialPanel::refresh() {
     if (entry.parameter->type == ParameterType::OptionalColour)
       if (auto* colour = qobject_cast<ColourEditor*>(entry.row->editor())) colour->setAutomatic(glm::vec3(root * root));
     entry.row->showValue(entry.parameter->get(material.parameters));
+    entry.row->setPresetValue(look->preset && look->preset->model == material.model
+                                  ? std::optional(entry.parameter->get(look->preset->parameters))
+                                  : std::nullopt);
+    entry.row->showDifferences(m_document.editedSlots().size() > 1 ? differencesOf(*entry.parameter) : QString());
   }
   refreshVisibility();
 }
@@ -195,8 +244,22 @@ void MaterialPanel::refreshVisibility() {
 }
 
 void MaterialPanel::focusSearch() {
-  m_search->setFocus();
+  for (QWidget* parent = parentWidget(); parent != nullptr; parent = parent->parentWidget())
+    if (auto* dock = qobject_cast<QDockWidget*>(parent)) {
+      dock->show();
+      dock->raise();
+    }
+  m_search->setFocus(Qt::ShortcutFocusReason);
   m_search->selectAll();
+}
+
+bool MaterialPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_search && event->type() == QEvent::KeyPress &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && !m_search->text().isEmpty()) {
+    m_search->clear();
+    return true;
+  }
+  return Panel::eventFilter(watched, event);
 }
 
 }  // namespace dermis

@@ -6,6 +6,7 @@
 
 #include "core/material/parameter_table.h"
 #include "ui/docks/panel.h"
+#include "ui/rows/gesture.h"
 
 class QComboBox;
 class QLabel;
@@ -16,16 +17,23 @@ namespace dermis {
 
 class Document;
 class Loading;
+class MaterialClipboard;
 class PropertyRow;
+class SlotChooser;
 
 class MaterialPanel : public Panel {
   Q_OBJECT
  public:
   MaterialPanel(Document& document, Loading& loading, QWidget* parent = nullptr);
   void focusSearch();
+  /// Copying and pasting of groups and materials, for the menus.
+  [[nodiscard]] MaterialClipboard* clipboard() const { return m_clipboard; }
 
  Q_SIGNALS:
   void savePresetRequested();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Entry {
@@ -36,12 +44,15 @@ class MaterialPanel : public Panel {
   void buildStrip();
   void buildRows();
   void refresh();
-  void refreshSlots();
+  void edit(const ParameterRow& parameter, const ParameterValue& value, Gesture gesture);
+  /// "face 0.45" lines where the edited slots have different values of it; else empty.
+  [[nodiscard]] QString differencesOf(const ParameterRow& parameter) const;
   void refreshVisibility();
 
   Document& m_document;
   Loading& m_loading;
-  QComboBox* m_slot = nullptr;
+  MaterialClipboard* m_clipboard = nullptr;
+  SlotChooser* m_slots = nullptr;
   QComboBox* m_model = nullptr;
   QLineEdit* m_search = nullptr;
   QLabel* m_preset = nullptr;

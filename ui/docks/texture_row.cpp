@@ -1,19 +1,26 @@
 #include "ui/docks/texture_row.h"
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QContextMenuEvent>
+#include <QDesktopServices>
 #include <QDragEnterEvent>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMimeData>
+#include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "core/base/file_reference.h"
+#include "ui/docks/dropped_paths.h"
 #include "ui/docks/panel.h"
 #include "ui/rows/choice_editors.h"
+#include "ui/rows/elided_label.h"
 #include "ui/rows/number_field.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
@@ -47,7 +54,7 @@ TextureRow::TextureRow(const TextureSlotRow& slot, QWidget* parent) : QFrame(par
   column->setSpacing(metrics::kGap);
   buildHead();
   buildDetails();
-  showBinding({}, nullptr);
+  showBinding({}, nullptr, MapWatcher::State::Good);
 }
 
 void TextureRow::buildHead() {
@@ -63,20 +70,26 @@ void TextureRow::buildHead() {
   words->setSpacing(1);
   auto* name = new QLabel(text(m_slot.label), this);
   name->setProperty("heading", true);
-  m_file = new QLabel(this);
-  m_file->setMinimumWidth(40);
+  m_file = new ElidedLabel(this);
   m_size = new QLabel(this);
   m_size->setProperty("quiet", true);
   words->addWidget(name);
   words->addWidget(m_file);
   words->addWidget(m_size);
   head->addLayout(words, 1);
+  m_locate = new QPushButton(tr("Locate…"), this);
+  m_locate->setObjectName(objectName() + QStringLiteral(".locate"));
+  m_locate->setAccessibleName(tr("%1 map: locate the missing file").arg(text(m_slot.label)));
+  m_locate->setToolTip(tr("Say where the file is now; other missing maps that lie beside it come along"));
+  head->addWidget(m_locate, 0, Qt::AlignVCenter);
+  connect(m_locate, &QPushButton::clicked, this, &TextureRow::locateRequested);
   const QString label = text(m_slot.label);
   auto* choose = iconButton("open", tr("%1 map: choose a file").arg(label), this);
   m_reload = iconButton("reload", tr("%1 map: read the file again").arg(label), this);
   m_clear = iconButton("close", tr("%1 map: clear").arg(label), this);
   choose->setObjectName(objectName() + QStringLiteral(".choose"));
   m_clear->setObjectName(objectName() + QStringLiteral(".clear"));
+  m_reload->setObjectName(objectName() + QStringLiteral(".reload"));
   for (QToolButton* button : {choose, m_reload, m_clear}) head->addWidget(button, 0, Qt::AlignTop);
   static_cast<QVBoxLayout*>(layout())->addLayout(head);
   connect(choose, &QToolButton::clicked, this, &TextureRow::chooseRequested);
@@ -144,6 +157,10 @@ void TextureRow::buildDetails() {
   const bool isNormal = m_slot.slot == TextureSlot::Normal || m_slot.slot == TextureSlot::DetailNormal;
   m_invert = new QCheckBox(tr("Invert"), m_details);
   m_flip = new QCheckBox(tr("Flip green (DirectX)"), m_details);
+  m_invert->setObjectName(objectName() + QStringLiteral(".invert"));
+  m_flip->setObjectName(objectName() + QStringLiteral(".flip_green"));
+  m_invert->setToolTip(tr("Read 1 − value: for gloss maps as roughness, and inverted masks"));
+  m_flip->setToolTip(tr("For normal maps with −Y, as DirectX tools write them"));
   m_invert->setAccessibleName(tr("%1 map › Invert").arg(label));
   m_flip->setAccessibleName(tr("%1 map › Flip green").arg(label));
   m_invert->setVisible(m_slot.isScalar);
@@ -157,22 +174,33 @@ void TextureRow::buildDetails() {
   static_cast<QVBoxLayout*>(layout())->addWidget(m_details);
 }
 
-void TextureRow::showBinding(const TextureBinding& binding, const std::shared_ptr<const Image>& image) {
+void TextureRow::showBinding(const TextureBinding& binding, const std::shared_ptr<const Image>& image,
+                             MapWatcher::State state) {
   const bool newPicture = image != m_image;
   m_binding = binding;
   m_image = image;
   const bool present = binding.present();
-  if (!present)
-    m_thumbnail->setPixmap({}), m_thumbnail->setText(QStringLiteral("+"));
-  else if (newPicture && image)
+  const bool missing = present && state == MapWatcher::State::Missing;
+  const bool broken = present && !missing && (image == nullptr || state == MapWatcher::State::Broken);
+  if (!present || !image)
+    m_thumbnail->setPixmap({}), m_thumbnail->setText(present ? QStringLiteral("?") : QStringLiteral("+"));
+  else if (newPicture)
     m_thumbnail->setPixmap(QPixmap::fromImage(mapThumbnail(*image, kThumbnailSide)));
   const QString name = image && binding.path.starts_with("embedded:")
                            ? text(image->name)
                            : pathText(std::filesystem::path(binding.path).filename());
-  m_file->setText(present ? m_file->fontMetrics().elidedText(name, Qt::ElideMiddle, 190) : QString());
+  m_file->setFullText(present ? name : QString());
   m_file->setToolTip(present ? text(binding.path) : QString());
   m_file->setVisible(present);
-  m_size->setText(!present ? tr("Drop an image here, or choose one") : image ? describe(*image) : tr("not loaded"));
+  const QString stays = image ? tr(", its last picture stays") : QString();
+  m_size->setText(!present  ? tr("Drop an image here, or choose one")
+                  : missing ? tr("The file is missing") + stays
+                  : broken  ? tr("The file can't be read") + stays
+                            : describe(*image));
+  m_size->setProperty("warning", missing || broken);
+  m_size->style()->unpolish(m_size);
+  m_size->style()->polish(m_size);
+  m_locate->setVisible(missing || (broken && !image));
   m_clear->setVisible(present);
   m_reload->setVisible(present && !namesNoFile(binding.path));
   m_details->setVisible(present);
@@ -196,7 +224,7 @@ void TextureRow::markDrop(bool active) {
 }
 
 void TextureRow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!event->mimeData()->hasUrls() || !event->mimeData()->urls().first().isLocalFile()) return;
+  if (localPaths(event->mimeData()).isEmpty()) return;
   event->acceptProposedAction();
   markDrop(true);
 }
@@ -204,19 +232,32 @@ void TextureRow::dragLeaveEvent(QDragLeaveEvent*) { markDrop(false); }
 void TextureRow::dropEvent(QDropEvent* event) {
   markDrop(false);
   event->acceptProposedAction();
-  Q_EMIT fileChosen(event->mimeData()->urls().first().toLocalFile());
+  Q_EMIT dropped(localPaths(event->mimeData()));
 }
 void TextureRow::mouseDoubleClickEvent(QMouseEvent*) { Q_EMIT chooseRequested(); }
 
+void TextureRow::reveal() { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(text(m_binding.path)).path())); }
+
 void TextureRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
-  connect(menu.addAction(tr("Choose file…")), &QAction::triggered, this, &TextureRow::chooseRequested);
-  QAction* reload = menu.addAction(tr("Read the file again"));
-  QAction* clear = menu.addAction(tr("Clear"));
-  reload->setEnabled(m_binding.present());
-  clear->setEnabled(m_binding.present());
-  connect(reload, &QAction::triggered, this, &TextureRow::reloadRequested);
-  connect(clear, &QAction::triggered, this, &TextureRow::clearRequested);
+  menu.setObjectName(QStringLiteral("texture.menu"));
+  const bool present = m_binding.present();
+  const bool isFile = present && !namesNoFile(m_binding.path);
+  const auto add = [&](const QString& words, const char* id, bool enabled, auto slot) {
+    QAction* action = menu.addAction(words);
+    action->setObjectName(QLatin1String(id));
+    action->setEnabled(enabled);
+    connect(action, &QAction::triggered, this, slot);
+  };
+  add(tr("Choose file…"), "texture.choose", true, &TextureRow::chooseRequested);
+  add(tr("Locate…"), "texture.locate", isFile, &TextureRow::locateRequested);
+  add(tr("Read the file again"), "texture.reload", isFile, &TextureRow::reloadRequested);
+  menu.addSeparator();
+  add(tr("Show in the file manager"), "texture.reveal", isFile, &TextureRow::reveal);
+  add(tr("Copy path"), "texture.copyPath", present,
+      [this] { QApplication::clipboard()->setText(text(m_binding.path)); });
+  menu.addSeparator();
+  add(tr("Clear"), "texture.clear", present, &TextureRow::clearRequested);
   menu.exec(event->globalPos());
 }
 

@@ -1,4 +1,4 @@
-// One map of the material: thumbnail, what it is, how it is read; takes a dropped file.
+// One map of the material: thumbnail, what it is, how it is read; takes dropped files.
 #pragma once
 
 #include <QFrame>
@@ -6,24 +6,29 @@
 
 #include "core/image/image.h"
 #include "core/material/texture_slot.h"
+#include "ui/document/map_watcher.h"
 
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace dermis {
 
+class ElidedLabel;
 class NumberField;
 
 class TextureRow : public QFrame {
   Q_OBJECT
  public:
   explicit TextureRow(const TextureSlotRow& slot, QWidget* parent = nullptr);
-  void showBinding(const TextureBinding& binding, const std::shared_ptr<const Image>& image);
+  void showBinding(const TextureBinding& binding, const std::shared_ptr<const Image>& image, MapWatcher::State state);
 
  Q_SIGNALS:
-  void fileChosen(const QString& path);
+  /// One file, several, or a folder.
+  void dropped(const QStringList& paths);
+  void locateRequested();
   void chooseRequested();
   void clearRequested();
   void reloadRequested();
@@ -40,13 +45,15 @@ class TextureRow : public QFrame {
   void buildHead();
   void buildDetails();
   void markDrop(bool active);
+  void reveal();
 
   const TextureSlotRow& m_slot;
   TextureBinding m_binding;
   std::shared_ptr<const Image> m_image;
   QLabel* m_thumbnail = nullptr;
-  QLabel* m_file = nullptr;
+  ElidedLabel* m_file = nullptr;
   QLabel* m_size = nullptr;
+  QPushButton* m_locate = nullptr;
   QToolButton* m_clear = nullptr;
   QToolButton* m_reload = nullptr;
   QWidget* m_details = nullptr;

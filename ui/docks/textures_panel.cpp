@@ -1,46 +1,46 @@
 #include "ui/docks/textures_panel.h"
 
+#include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSettings>
+#include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
-#include "core/material/parameter_table.h"
+#include "ui/docks/dropped_paths.h"
 #include "ui/docks/texture_row.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
+#include "ui/document/map_watcher.h"
+#include "ui/document/maps_read.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
 
 namespace dermis {
 
-bool readsMap(ShadingModel model, TextureSlot slot) {
-  const auto uses = [model](std::string_view id) {
-    const ParameterRow* row = findParameter(id);
-    return row != nullptr && row->usedBy(model);
-  };
-  switch (slot) {
-    case TextureSlot::Normal:
-      return uses("surface.normal_strength") || model == ShadingModel::Thesis;
-    case TextureSlot::DetailNormal:
-    case TextureSlot::DetailMask:
-      return uses("surface.detail_strength");
-    case TextureSlot::Thickness:
-      return uses("transmission.weight");
-    default:
-      break;
-  }
-  const auto rows = parameterTable();
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const ParameterRow& row) { return row.map == slot && row.usedBy(model); });
-}
-
 TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* parent)
-    : Panel(parent), m_document(document), m_loading(loading) {
+    : Panel(parent), m_document(document), m_loading(loading), m_watcher(new MapWatcher(document, loading, this)) {
+  setAcceptDrops(true);
   m_title = new QLabel(this);
   m_title->setProperty("quiet", true);
+  m_title->setToolTip(tr("Drop a folder anywhere here: its files find their maps by name, such as head_albedo.png"));
   strip()->addWidget(m_title);
+  m_report = new QWidget(this);
+  auto* reportRow = new QHBoxLayout(m_report);
+  reportRow->setContentsMargins(0, 0, 0, 0);
+  m_reportText = new QLabel(m_report);
+  m_reportText->setObjectName(QStringLiteral("textures.report"));
+  m_reportText->setAccessibleName(tr("Maps matched by name"));
+  m_reportText->setTextFormat(Qt::PlainText);
+  m_reportText->setWordWrap(true);
+  auto* close = iconButton("close", tr("Hide what was matched"), m_report);
+  connect(close, &QToolButton::clicked, m_report, &QWidget::hide);
+  reportRow->addWidget(m_reportText, 1);
+  reportRow->addWidget(close, 0, Qt::AlignTop);
+  strip()->addWidget(m_report);
+  m_report->hide();
+
   auto* holder = new QWidget(this);
   auto* column = new QVBoxLayout(holder);
   column->setContentsMargins(metrics::kMargin, metrics::kMargin, metrics::kMargin, metrics::kMargin);
@@ -49,20 +49,7 @@ TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* pare
     auto* row = new TextureRow(slot, holder);
     m_rows.at(static_cast<std::size_t>(slot.slot)) = row;
     column->addWidget(row);
-    const TextureSlot which = slot.slot;
-    connect(row, &TextureRow::fileChosen, this, [this, which](const QString& path) { assign(which, path); });
-    connect(row, &TextureRow::chooseRequested, this, [this, which] { choose(which); });
-    connect(row, &TextureRow::clearRequested, this,
-            [this, which] { m_document.setTexture(m_document.currentSlot(), which, TextureBinding{}, nullptr); });
-    connect(row, &TextureRow::reloadRequested, this, [this, which] {
-      if (const SlotLook* look = m_document.currentLook()) assign(which, text(look->worn.material.texture(which).path));
-    });
-    connect(row, &TextureRow::bindingEdited, this, [this, which](const TextureBinding& binding, Gesture gesture) {
-      const SlotLook* look = m_document.currentLook();
-      if (look != nullptr)
-        m_document.setTexture(m_document.currentSlot(), which, binding,
-                              look->worn.images.at(static_cast<std::size_t>(which)), gesture);
-    });
+    connectRow(row, slot.slot);
   }
   m_nothing = new QLabel(tr("This shading model reads no maps."), holder);
   m_nothing->setProperty("quiet", true);
@@ -72,12 +59,65 @@ TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* pare
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if (what == Change::Everything || what == Change::Material) refresh();
   });
-  connect(&m_document, &Document::currentSlotChanged, this, &TexturesPanel::refresh);
+  connect(&m_document, &Document::currentSlotChanged, this, [this] {
+    m_report->hide();
+    refresh();
+  });
+  connect(m_watcher, &MapWatcher::stateChanged, this, &TexturesPanel::refresh);
+  connect(&m_loading, &Loading::mapsMatched, this, &TexturesPanel::showReport);
   refresh();
 }
 
+void TexturesPanel::connectRow(TextureRow* row, TextureSlot slot) {
+  connect(row, &TextureRow::dropped, this, [this, slot](const QStringList& paths) { take(slot, paths); });
+  connect(row, &TextureRow::chooseRequested, this, [this, slot] { choose(slot); });
+  connect(row, &TextureRow::locateRequested, this, [this, slot] { askWhere(slot); });
+  connect(row, &TextureRow::clearRequested, this, [this, slot] {
+    std::vector<TextureEdit> edits;
+    for (const QString& name : m_document.editedSlots()) edits.push_back({name, slot, TextureBinding{}, nullptr});
+    m_document.setTextures(edits, tr("Clear %1 map of %2")
+                                      .arg(text(textureSlotRow(slot).label).toLower(),
+                                           m_document.editedSlots().join(QStringLiteral(", "))));
+  });
+  connect(row, &TextureRow::reloadRequested, this, [this, slot] {
+    if (const SlotLook* look = m_document.currentLook())
+      m_loading.rereadMap(look->worn.material.texture(slot).path, true);
+  });
+  connect(row, &TextureRow::bindingEdited, this,
+          [this, slot](const TextureBinding& binding, Gesture gesture) { setBinding(slot, binding, gesture); });
+}
+
+void TexturesPanel::setBinding(TextureSlot slot, const TextureBinding& binding, Gesture gesture) {
+  std::vector<TextureEdit> edits;
+  for (const QString& name : m_document.editedSlots()) {
+    const ResolvedMaterial& worn = m_document.slotLook(name)->worn;
+    if (!worn.material.texture(slot).present()) continue;
+    TextureBinding next = binding;
+    next.path = worn.material.texture(slot).path;
+    edits.push_back({name, slot, next, worn.images.at(static_cast<std::size_t>(slot))});
+  }
+  m_document.setTextures(
+      edits,
+      tr("Change %1 map of %2")
+          .arg(text(textureSlotRow(slot).label).toLower(), m_document.editedSlots().join(QStringLiteral(", "))),
+      gesture);
+}
+
+void TexturesPanel::take(std::optional<TextureSlot> slot, const QStringList& paths) {
+  if (paths.isEmpty()) return;
+  if (paths.size() == 1 && QFileInfo(paths.first()).isDir()) {
+    m_loading.assignFolder(m_document.editedSlots(), paths.first());
+  } else if (paths.size() == 1 && slot) {
+    assign(*slot, paths.first());
+  } else {
+    std::vector<std::filesystem::path> files;
+    for (const QString& path : paths) files.push_back(toPath(path));
+    m_loading.assignByName(m_document.editedSlots(), files);
+  }
+}
+
 void TexturesPanel::assign(TextureSlot slot, const QString& path) {
-  m_loading.assignTexture(m_document.currentSlot(), slot, toPath(path));
+  m_loading.assignTexture(m_document.editedSlots(), slot, toPath(path));
 }
 
 void TexturesPanel::choose(TextureSlot slot) {
@@ -90,11 +130,43 @@ void TexturesPanel::choose(TextureSlot slot) {
   assign(slot, path);
 }
 
+void TexturesPanel::askWhere(TextureSlot slot) {
+  const SlotLook* look = m_document.currentLook();
+  if (look == nullptr) return;
+  const QFileInfo missing(text(look->worn.material.texture(slot).path));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Where is %1 now?").arg(missing.fileName()),
+      QFileInfo::exists(missing.path()) ? missing.path()
+                                        : QSettings().value(QStringLiteral("folders/textures")).toString(),
+      tr("The same name (%1);;Images (%2);;All files (*)").arg(missing.fileName(), namePatterns(FileKind::Image)));
+  if (!path.isEmpty()) locate(slot, path);
+}
+
+void TexturesPanel::locate(TextureSlot slot, const QString& path) {
+  if (const SlotLook* look = m_document.currentLook())
+    m_loading.locateMap(look->worn.material.texture(slot).path, toPath(path));
+}
+
+void TexturesPanel::showReport(const QString& report) {
+  m_reportText->setText(report);
+  m_report->show();
+}
+
+void TexturesPanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (!localPaths(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void TexturesPanel::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  take(std::nullopt, localPaths(event->mimeData()));
+}
+
 void TexturesPanel::refresh() {
   const SlotLook* look = m_document.currentLook();
   setEnabled(look != nullptr);
   if (look == nullptr) return;
-  m_title->setText(tr("Maps of “%1”").arg(m_document.currentSlot()));
+  m_title->setText(tr("Maps of “%1”. Drop a folder to match files by name.")
+                       .arg(m_document.editedSlots().join(QStringLiteral(", "))));
   bool any = false;
   for (const TextureSlotRow& slot : textureSlots()) {
     TextureRow* row = m_rows.at(static_cast<std::size_t>(slot.slot));
@@ -102,7 +174,8 @@ void TexturesPanel::refresh() {
     const bool shown = readsMap(look->worn.material.model, slot.slot);
     row->setVisible(shown);
     any = any || shown;
-    row->showBinding(binding, look->worn.images.at(static_cast<std::size_t>(slot.slot)));
+    row->showBinding(binding, look->worn.images.at(static_cast<std::size_t>(slot.slot)),
+                     m_watcher->stateOf(binding.path));
   }
   m_nothing->setVisible(!any);
 }

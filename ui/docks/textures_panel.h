@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
-#include "core/material/shading_model.h"
 #include "core/material/texture_slot.h"
 #include "ui/docks/panel.h"
+#include "ui/rows/gesture.h"
 
 class QLabel;
 
@@ -13,24 +14,38 @@ namespace dermis {
 
 class Document;
 class Loading;
+class MapWatcher;
 class TextureRow;
-
-/// Whether a shading model reads a map.
-[[nodiscard]] bool readsMap(ShadingModel model, TextureSlot slot);
 
 class TexturesPanel : public Panel {
   Q_OBJECT
  public:
   TexturesPanel(Document& document, Loading& loading, QWidget* parent = nullptr);
+  /// Files dropped on a map's row, or (unset) on the panel: one file for one map; else all find theirs by name.
+  void take(std::optional<TextureSlot> slot, const QStringList& paths);
+  /// The missing map of the current slot is in that file now.
+  void locate(TextureSlot slot, const QString& path);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
+  void connectRow(TextureRow* row, TextureSlot slot);
   void assign(TextureSlot slot, const QString& path);
   void choose(TextureSlot slot);
+  void askWhere(TextureSlot slot);
+  /// One change of the binding on every edited slot that wears the map; each keeps its own file.
+  void setBinding(TextureSlot slot, const TextureBinding& binding, Gesture gesture);
+  void showReport(const QString& report);
   void refresh();
 
   Document& m_document;
   Loading& m_loading;
+  MapWatcher* m_watcher = nullptr;
   QLabel* m_title = nullptr;
+  QWidget* m_report = nullptr;
+  QLabel* m_reportText = nullptr;
   QLabel* m_nothing = nullptr;
   std::array<TextureRow*, kTextureSlotCount> m_rows{};
 };

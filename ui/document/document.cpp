@@ -5,6 +5,7 @@
 #include "core/base/file_reference.h"
 #include "ui/document/carry_over.h"
 #include "ui/document/section_command.h"
+#include "ui/text.h"
 
 namespace dermis {
 
@@ -79,82 +80,137 @@ void Document::commit(const QString& text, const QString& key, Gesture gesture, 
 
 // --- materials -----------------------------------------------------------------------------------------------------
 
-void Document::applyLook(const QString& slot, const SlotLook& look) {
-  const int index = slotIndex(slot);
-  if (index < 0) return;
-  m_now.slotLooks[static_cast<std::size_t>(index)] = look;
-  if (look.binding)
-    m_now.scene.materials[slot.toStdString()] = *look.binding;
-  else
-    m_now.scene.materials.erase(slot.toStdString());
+void Document::refreshImages(SlotLook& look) const {
+  if (m_reread.empty()) return;
+  for (std::size_t i = 0; i < kTextureSlotCount; ++i)
+    if (const auto newer = m_reread.find(look.worn.material.textures.at(i).path); newer != m_reread.end())
+      look.worn.images.at(i) = newer->second;
+}
+
+void Document::replaceImage(const std::string& path, const std::shared_ptr<const Image>& image) {
+  m_reread[path] = image;
+  for (SlotLook& look : m_now.slotLooks) refreshImages(look);
   tell(Change::Material);
+}
+
+void Document::applyLooks(const Looks& looks) {
+  for (const auto& [slot, look] : looks) {
+    const int index = slotIndex(slot);
+    if (index < 0) continue;
+    SlotLook& worn = m_now.slotLooks[static_cast<std::size_t>(index)];
+    worn = look;
+    refreshImages(worn);
+    if (look.binding)
+      m_now.scene.materials[slot.toStdString()] = *look.binding;
+    else
+      m_now.scene.materials.erase(slot.toStdString());
+  }
+  tell(Change::Material);
+}
+
+SlotLook* Document::lookToChange(Looks& looks, const QString& slot) const {
+  for (auto& [name, look] : looks)
+    if (name == slot) return &look;
+  const SlotLook* look = slotLook(slot);
+  return look == nullptr ? nullptr : &looks.emplace_back(slot, *look).second;
+}
+
+void Document::commitLooks(Looks after, const QString& text, const QString& key, Gesture gesture) {
+  Looks before;
+  QString where;
+  for (auto& [slot, look] : after) {
+    const SlotLook& worn = before.emplace_back(slot, *slotLook(slot)).second;
+    where += slot + QLatin1Char('/');
+    // The binding says what a file would hold: the same material, and whether it still is its preset.
+    if (look.worn.material == worn.worn.material && !look.binding) continue;
+    if (!look.binding) {
+      const MaterialBinding* shared = m_now.scene.bindingFor(slot.toStdString());
+      look.binding = shared != nullptr ? *shared : MaterialBinding{};
+    }
+    look.binding->material = look.worn.material;
+    if (look.preset) look.binding->edited = !(*look.preset == look.worn.material);
+  }
+  commit(text, QStringLiteral("material/") + where + key, gesture, std::move(before), std::move(after),
+         [this](const Looks& looks) { applyLooks(looks); });
 }
 
 void Document::commitLook(const QString& slot, SlotLook after, const QString& text, const QString& key,
                           Gesture gesture) {
-  const SlotLook* before = slotLook(slot);
-  if (before == nullptr) return;
-  // The binding says what a file would hold: the same material, and whether it still is its preset.
-  if (!(after.worn.material == before->worn.material) || after.binding) {
-    if (!after.binding) {
-      const MaterialBinding* shared = m_now.scene.bindingFor(slot.toStdString());
-      after.binding = shared != nullptr ? *shared : MaterialBinding{};
-    }
-    after.binding->material = after.worn.material;
-    if (after.preset) after.binding->edited = !(*after.preset == after.worn.material);
-  }
-  commit(text, QStringLiteral("material/%1/%2").arg(slot, key), gesture, *before, std::move(after),
-         [this, slot](const SlotLook& look) { applyLook(slot, look); });
+  Looks looks;
+  looks.emplace_back(slot, std::move(after));
+  commitLooks(std::move(looks), text, key, gesture);
 }
 
 void Document::setParameter(const QString& slot, std::string_view id, const ParameterValue& value, Gesture gesture) {
-  const ParameterRow* row = findParameter(id);
-  const SlotLook* look = slotLook(slot);
-  if (row == nullptr || look == nullptr) return;
-  SlotLook after = *look;
-  dermis::setParameter(after.worn.material.parameters, *row, clampToHardRange(*row, value));
-  const QString label = QString::fromUtf8(row->label.data(), static_cast<qsizetype>(row->label.size()));
-  const QString group = QString::fromUtf8(row->group.data(), static_cast<qsizetype>(row->group.size()));
-  commitLook(slot, std::move(after), tr("%1 › %2 of %3").arg(group, label, slot),
-             QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size())), gesture);
+  if (const ParameterRow* row = findParameter(id))
+    setParameters({{slot, row, value}},
+                  tr("%1 › %2 of %3").arg(dermis::text(row->group), dermis::text(row->label), slot), dermis::text(id),
+                  gesture);
 }
 
-void Document::setShadingModel(const QString& slot, ShadingModel model) {
-  const SlotLook* look = slotLook(slot);
-  if (look == nullptr) return;
-  SlotLook after = *look;
-  after.worn.material.model = model;
-  const std::string_view label = shadingModelRow(model).label;
-  commitLook(
-      slot, std::move(after),
-      tr("Shading model %1 for %2").arg(QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size())), slot),
+void Document::setParameters(const std::vector<ParameterEdit>& edits, const QString& text, const QString& key,
+                             Gesture gesture) {
+  Looks looks;
+  for (const ParameterEdit& edit : edits)
+    if (SlotLook* look = lookToChange(looks, edit.slot))
+      dermis::setParameter(look->worn.material.parameters, *edit.row, clampToHardRange(*edit.row, edit.value));
+  commitLooks(std::move(looks), text, key, gesture);
+}
+
+void Document::setShadingModel(const QStringList& slots_, ShadingModel model) {
+  Looks looks;
+  for (const QString& slot : slots_)
+    if (SlotLook* look = lookToChange(looks, slot)) look->worn.material.model = model;
+  commitLooks(
+      std::move(looks),
+      tr("Shading model %1 for %2").arg(dermis::text(shadingModelRow(model).label), slots_.join(QStringLiteral(", "))),
       QStringLiteral("model"), 0);
 }
+
+namespace {
+
+/// Binds a map in a look.
+void bindTexture(ResolvedMaterial& worn, const TextureEdit& edit) {
+  Material& material = worn.material;
+  const bool wasPresent = material.texture(edit.texture).present();
+  material.texture(edit.texture) = edit.binding;
+  worn.images.at(static_cast<std::size_t>(edit.texture)) = edit.binding.present() ? edit.image : nullptr;
+  if (!edit.binding.present() || wasPresent) return;
+  // So that a dropped albedo map isn't tinted by the default albedo.
+  for (const ParameterRow& row : parameterTable()) {
+    if (row.map != edit.texture || !row.usedBy(material.model)) continue;
+    if (!(row.get(material.parameters) == row.defaultValue())) continue;
+    if (row.type == ParameterType::Float) row.set(material.parameters, clampToHardRange(row, ParameterValue(1.0F)));
+    if (row.type == ParameterType::Colour) row.set(material.parameters, ParameterValue(Colour{glm::vec3(1.0F)}));
+  }
+}
+
+}  // namespace
 
 void Document::setTexture(const QString& slot, TextureSlot texture, const TextureBinding& binding,
                           std::shared_ptr<const Image> image, Gesture gesture) {
   const SlotLook* look = slotLook(slot);
   if (look == nullptr) return;
-  SlotLook after = *look;
-  Material& material = after.worn.material;
-  const bool wasPresent = material.texture(texture).present();
-  material.texture(texture) = binding;
-  after.worn.images.at(static_cast<std::size_t>(texture)) = binding.present() ? std::move(image) : nullptr;
-  if (binding.present() && !wasPresent) {
-    // So that a dropped albedo map isn't tinted by the default albedo.
-    for (const ParameterRow& row : parameterTable()) {
-      if (row.map != texture || !row.usedBy(material.model)) continue;
-      if (!(row.get(material.parameters) == row.defaultValue())) continue;
-      if (row.type == ParameterType::Float) row.set(material.parameters, clampToHardRange(row, ParameterValue(1.0F)));
-      if (row.type == ParameterType::Colour) row.set(material.parameters, ParameterValue(Colour{glm::vec3(1.0F)}));
-    }
+  const QString text = !binding.present()                               ? tr("Clear %1 map of %2")
+                       : look->worn.material.texture(texture).present() ? tr("Change %1 map of %2")
+                                                                        : tr("Assign %1 map to %2");
+  setTextures({{slot, texture, binding, std::move(image)}},
+              text.arg(dermis::text(textureSlotRow(texture).label).toLower(), slot), gesture);
+}
+
+void Document::setTextures(const std::vector<TextureEdit>& edits, const QString& text, Gesture gesture) {
+  Looks looks;
+  QString key = QStringLiteral("texture");
+  for (const TextureEdit& edit : edits) {
+    SlotLook* look = lookToChange(looks, edit.slot);
+    if (look == nullptr) continue;
+    // What was decoded for this edit is the newest there is of its file.
+    if (const auto known = m_reread.find(edit.binding.path); known != m_reread.end() && edit.image)
+      known->second = edit.image;
+    bindTexture(look->worn, edit);
+    key += QLatin1Char('/') + dermis::text(textureSlotRow(edit.texture).id);
   }
-  const TextureSlotRow& row = textureSlotRow(texture);
-  const QString label = QString::fromUtf8(row.label.data(), static_cast<qsizetype>(row.label.size()));
-  const QString text = !binding.present() ? tr("Clear %1 map of %2")
-                       : wasPresent       ? tr("Change %1 map of %2")
-                                          : tr("Assign %1 map to %2");
-  commitLook(slot, std::move(after), text.arg(label.toLower(), slot), QStringLiteral("texture/") + label, gesture);
+  commitLooks(std::move(looks), text, key, gesture);
 }
 
 void Document::applyMaterial(const QString& slot, const ResolvedMaterial& material, const std::string& presetPath) {
@@ -167,6 +223,17 @@ void Document::applyMaterial(const QString& slot, const ResolvedMaterial& materi
   const QString name = QString::fromStdString(material.material.name);
   commitLook(slot, std::move(after), tr("Apply %1 to %2").arg(name.isEmpty() ? tr("material") : name, slot),
              QStringLiteral("apply"), 0);
+}
+
+void Document::pasteMaterial(const QStringList& slots_, const ResolvedMaterial& material) {
+  Looks looks;
+  for (const QString& slot : slots_) {
+    SlotLook* look = lookToChange(looks, slot);
+    if (look == nullptr) continue;
+    *look = SlotLook{material, MaterialBinding{material.material, {}, false}, nullptr};
+  }
+  commitLooks(std::move(looks), tr("Paste material on %1").arg(slots_.join(QStringLiteral(", "))),
+              QStringLiteral("paste"), 0);
 }
 
 void Document::revertToPreset(const QString& slot, const ResolvedMaterial& material) {
@@ -183,7 +250,7 @@ void Document::markPresetSaved(const QString& slot, const std::filesystem::path&
   SlotLook look = m_now.slotLooks[static_cast<std::size_t>(index)];
   look.binding = MaterialBinding{look.worn.material, presetPath.string(), false};
   look.preset = std::make_shared<const Material>(look.worn.material);
-  applyLook(slot, look);
+  applyLooks({{slot, look}});
 }
 
 // --- environment, lights, view --------------------------------------------------------------------------------------
@@ -266,11 +333,30 @@ void Document::setCamera(const Camera& camera) {
 
 void Document::applyWhole(const WholeLook& whole) {
   m_now = whole;
+  for (SlotLook& look : m_now.slotLooks) refreshImages(look);
   const QStringList names = slotNames();
   const bool lost = !names.contains(m_currentSlot);
   if (lost) m_currentSlot = names.value(0);
+  m_editedSlots = {m_currentSlot};
   tell(Change::Everything);
   if (lost) Q_EMIT currentSlotChanged();
+}
+
+void Document::setMillimetresPerUnit(float millimetres, Gesture gesture) {
+  if (!m_now.model || !(millimetres > 0.0F)) return;
+  const ModelScale before{m_now.scene.model.millimetresPerUnit, m_now.millimetresPerUnit, m_now.scene.lights};
+  ModelScale after{millimetres, millimetres, before.lights};
+  for (Light& light : after.lights) {
+    light.radiusMm *= millimetres / before.used;
+    light.sizeMm *= millimetres / before.used;
+  }
+  if (before.used == millimetres) after = before;
+  commit(tr("Unit of the model"), QStringLiteral("unit"), gesture, before, after, [this](const ModelScale& scale) {
+    m_now.scene.model.millimetresPerUnit = scale.said;
+    m_now.millimetresPerUnit = scale.used;
+    m_now.scene.lights = scale.lights;
+    tell(Change::Unit);
+  });
 }
 
 void Document::openModel(const ModelSource& source, std::shared_ptr<const Model> model,
@@ -301,6 +387,7 @@ void Document::replace(const ResolvedScene& scene, const std::filesystem::path& 
     whole.slotLooks.push_back(std::move(look));
   }
   m_undo.clear();
+  m_reread.clear();
   m_path = path;
   m_currentSlot.clear();
   applyWhole(whole);
@@ -314,8 +401,18 @@ void Document::markSaved(const std::filesystem::path& path) {
 }
 
 void Document::setCurrentSlot(const QString& slot) {
-  if (slot == m_currentSlot || slotIndex(slot) < 0) return;
+  if (slotIndex(slot) < 0 || (slot == m_currentSlot && m_editedSlots.size() == 1)) return;
   m_currentSlot = slot;
+  m_editedSlots = {slot};
+  Q_EMIT currentSlotChanged();
+}
+
+void Document::setEditedSlots(const QStringList& slots_) {
+  QStringList next;
+  for (const QString& name : slotNames())
+    if (slots_.contains(name) || name == m_currentSlot) next << name;
+  if (next == m_editedSlots) return;
+  m_editedSlots = next;
   Q_EMIT currentSlotChanged();
 }
 

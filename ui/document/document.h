@@ -14,7 +14,20 @@
 namespace dermis {
 
 /// What has changed; panels refresh what concerns them.
-enum class Change { Everything, Material, Environment, Lights, View, Lens, Camera };
+enum class Change { Everything, Material, Environment, Lights, View, Lens, Camera, Unit };
+
+struct ParameterEdit {
+  QString slot;
+  const ParameterRow* row = nullptr;
+  ParameterValue value;
+};
+
+struct TextureEdit {
+  QString slot;
+  TextureSlot texture = TextureSlot::Albedo;
+  TextureBinding binding;  ///< empty path: cleared
+  std::shared_ptr<const Image> image;
+};
 
 class Document : public QObject {
   Q_OBJECT
@@ -35,6 +48,8 @@ class Document : public QObject {
   /// Of the current slot; null before the document is ready.
   [[nodiscard]] const SlotLook* currentLook() const { return slotLook(m_currentSlot); }
   [[nodiscard]] const QString& currentSlot() const { return m_currentSlot; }
+  /// What an edit of the Material and Texture docks goes to: the current slot, and those chosen beside it.
+  [[nodiscard]] const QStringList& editedSlots() const { return m_editedSlots; }
   /// What the renderer draws now; the same pointer until something changes. Null before the document is ready.
   [[nodiscard]] std::shared_ptr<const ResolvedScene> snapshot() const;
   /// What a file of this document holds: materials of slots that the model lacks are left out.
@@ -50,12 +65,18 @@ class Document : public QObject {
   // --- changing: one undo entry a gesture ------------------------------------------------------------------------
   /// Clamps to the hard range. Unknown slots and ids are ignored. `gesture` 0 makes an entry of its own.
   void setParameter(const QString& slot, std::string_view id, const ParameterValue& value, Gesture gesture);
-  void setShadingModel(const QString& slot, ShadingModel model);
+  /// Several values, on several slots, as one entry named `text`; `key` keeps different edits of a gesture apart.
+  void setParameters(const std::vector<ParameterEdit>& edits, const QString& text, const QString& key, Gesture gesture);
+  void setShadingModel(const QStringList& slots_, ShadingModel model);
   /// Binds a map (or clears it: an empty path). A `× map` value still at its default becomes 1 in the same step.
   void setTexture(const QString& slot, TextureSlot texture, const TextureBinding& binding,
                   std::shared_ptr<const Image> image, Gesture gesture = 0);
+  /// The same for several maps, as one entry named `text`.
+  void setTextures(const std::vector<TextureEdit>& edits, const QString& text, Gesture gesture = 0);
   /// Puts a material on a slot, with its decoded maps. `presetPath` empty: an inline one.
   void applyMaterial(const QString& slot, const ResolvedMaterial& material, const std::string& presetPath);
+  /// A material without a preset, on several slots.
+  void pasteMaterial(const QStringList& slots_, const ResolvedMaterial& material);
   /// Back to the preset as it was read; needs the preset's decoded maps as they are bound now.
   void revertToPreset(const QString& slot, const ResolvedMaterial& material);
 
@@ -68,6 +89,8 @@ class Document : public QObject {
   void setLight(std::size_t index, const Light& light, const QString& what, Gesture gesture);
   void setView(const ViewSettings& view, Gesture gesture);
   void setLens(const Lens& lens, Gesture gesture);
+  /// How large the model is. Lamps keep their size beside it, as if it had been opened so.
+  void setMillimetresPerUnit(float millimetres, Gesture gesture);
   /// Another model: slots of the same name keep their look, the others wear `imported`; lights and camera are carried
   /// over by the ratio of the bounds.
   void openModel(const ModelSource& source, std::shared_ptr<const Model> model, std::vector<ResolvedMaterial> imported);
@@ -75,7 +98,12 @@ class Document : public QObject {
   // --- changing without an undo entry ----------------------------------------------------------------------------
   /// Navigation.
   void setCamera(const Camera& camera);
+  /// The only edited slot, too.
   void setCurrentSlot(const QString& slot);
+  /// Those that the model has; the current slot stays among them.
+  void setEditedSlots(const QStringList& slots_);
+  /// The file at `path` holds another picture now: every slot that wears it shows it, those of undo entries as well.
+  void replaceImage(const std::string& path, const std::shared_ptr<const Image>& image);
   /// A new or opened scene: forgets the undo history. `path` empty: untitled.
   void replace(const ResolvedScene& scene, const std::filesystem::path& path);
   /// What is open differs from its file though there is nothing to undo.
@@ -93,10 +121,15 @@ class Document : public QObject {
  private:
   template <class Section, class Apply>
   void commit(const QString& text, const QString& key, Gesture gesture, Section before, Section after, Apply apply);
+  using Looks = std::vector<std::pair<QString, SlotLook>>;
   void commitLook(const QString& slot, SlotLook after, const QString& text, const QString& key, Gesture gesture);
+  void commitLooks(Looks after, const QString& text, const QString& key, Gesture gesture);
+  /// The look of a slot among those already changed, else a copy of what it wears; null for an unknown slot.
+  [[nodiscard]] SlotLook* lookToChange(Looks& looks, const QString& slot) const;
+  void refreshImages(SlotLook& look) const;
   void commitLights(std::vector<Light> after, const QString& text, const QString& key, Gesture gesture);
   [[nodiscard]] int slotIndex(const QString& slot) const;
-  void applyLook(const QString& slot, const SlotLook& look);
+  void applyLooks(const Looks& looks);
   void applyWhole(const WholeLook& whole);
   void tell(Change what);
 
@@ -104,6 +137,8 @@ class Document : public QObject {
   QUndoStack m_undo;
   std::filesystem::path m_path;
   QString m_currentSlot;
+  QStringList m_editedSlots;
+  std::map<std::string, std::shared_ptr<const Image>> m_reread;  ///< the newest picture of files that have changed
   mutable std::shared_ptr<const ResolvedScene> m_snapshot;
 };
 

@@ -8,6 +8,7 @@
 #include "core/light_rig/rig_io.h"
 #include "core/material/preset_io.h"
 #include "core/scene/scene_io.h"
+#include "ui/document/loading_run.h"
 #include "ui/document/material_images.h"
 
 namespace dermis {
@@ -77,31 +78,6 @@ void Loading::tellWarnings(const Warnings& warnings) {
   for (const std::string& warning : warnings) Q_EMIT message(MessageKind::Warning, QString::fromStdString(warning));
 }
 
-template <class Work, class Done>
-void Loading::run(const QString& lane, const QString& title, Work work, Done done, std::function<void()> failed) {
-  using Value = typename std::invoke_result_t<Work, const ResolveOptions&, Warnings&>::value_type;
-  m_tasks.run(
-      lane, title,
-      [work = std::move(work), cache = m_cache](std::stop_token stop) {
-        ResolveOptions options;
-        options.stop = stop;
-        options.cache = cache;
-        Warnings warnings;
-        Result<Value> result = work(options, warnings);
-        return Outcome<Value>{std::move(result), std::move(warnings)};
-      },
-      [this, done = std::move(done), failed = std::move(failed)](Outcome<Value> outcome) mutable {
-        tellWarnings(outcome.warnings);
-        if (!outcome.result) {
-          if (outcome.result.error().kind != Error::Kind::Cancelled)
-            Q_EMIT message(MessageKind::Error, QString::fromStdString(outcome.result.error().message));
-          if (failed) failed();
-          return;
-        }
-        done(std::move(*outcome.result));
-      });
-}
-
 void Loading::newScene() {
   run(
       QStringLiteral("scene"), tr("Preparing the scene"),
@@ -155,7 +131,10 @@ void Loading::openModel(const ModelSource& source) {
       },
       [this, only](ResolvedScene&& resolved) {
         m_document.openModel(only.model, resolved.model, std::move(resolved.slots));
-        if (!only.model.path.empty()) Q_EMIT fileUsed(QString::fromStdString(only.model.path));
+        if (!only.model.path.empty()) {
+          Q_EMIT fileUsed(QString::fromStdString(only.model.path));
+          Q_EMIT modelOpened(fileName(only.model.path), QString::fromStdString(resolved.model->unitSource));
+        }
         Q_EMIT message(MessageKind::Info,
                        tr("%1: %2 mm tall (%3)")
                            .arg(QString::fromStdString(only.model.path.empty() ? only.model.builtin : only.model.path))
@@ -205,23 +184,6 @@ void Loading::setEnvironment(const EnvironmentSource& source) {
       [this, source](std::shared_ptr<const EnvironmentImages>&& images) {
         m_document.setEnvironment(source, std::move(images));
         if (!source.path.empty()) Q_EMIT fileUsed(QString::fromStdString(source.path));
-        Q_EMIT finished();
-      });
-}
-
-void Loading::assignTexture(const QString& slot, TextureSlot texture, const std::filesystem::path& path) {
-  const SlotLook* look = m_document.slotLook(slot);
-  if (look == nullptr) return;
-  const std::filesystem::path file = std::filesystem::absolute(path);
-  run(
-      QStringLiteral("texture/%1/%2").arg(slot).arg(static_cast<int>(texture)), tr("Loading %1").arg(fileName(path)),
-      [file](const ResolveOptions& options, Warnings& warnings) { return resolveTexture(file, options, warnings); },
-      [this, slot, texture, file](std::shared_ptr<const Image>&& image) {
-        const SlotLook* now = m_document.slotLook(slot);
-        if (now == nullptr) return;
-        TextureBinding binding = now->worn.material.texture(texture);
-        binding.path = file.string();
-        m_document.setTexture(slot, texture, binding, std::move(image));
         Q_EMIT finished();
       });
 }

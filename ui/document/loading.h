@@ -37,7 +37,20 @@ class Loading : public QObject {
   void revertToPreset(const QString& slot);
   void setEnvironment(const EnvironmentSource& source);
   /// Keeps the channel, colour space and so on of what was bound there before.
-  void assignTexture(const QString& slot, TextureSlot texture, const std::filesystem::path& path);
+  void assignTexture(const QStringList& slots_, TextureSlot texture, const std::filesystem::path& path);
+  /// Maps by the names of files: one undo entry for all `slots_`. What was matched goes out as mapsMatched.
+  void assignByName(const QStringList& slots_, const std::vector<std::filesystem::path>& files);
+  /// The same with all images of a folder.
+  void assignFolder(const QStringList& slots_, const QString& folder);
+  /// Binds maps to files, as one undo entry. What can't be read is left out with a message.
+  void bindMaps(std::vector<TextureEdit> edits, const QString& text);
+  /// The picture of a file that has changed, wherever it is worn; no undo entry. Where it can't be read the last good
+  /// picture stays. `tellWhy`: then a message says why.
+  void rereadMap(const std::string& path, bool tellWhy);
+  /// A missing map is at `file` now; other missing ones that lie beside it come along, in the same undo entry.
+  void locateMap(const std::string& missing, const std::filesystem::path& file);
+  /// A material from elsewhere, with its maps decoded, as one undo entry.
+  void pasteMaterial(const QStringList& slots_, const Material& material);
   /// What the command line gives: one scene, one model, one environment, presets, in any order.
   void openAtStart(const std::vector<std::filesystem::path>& files);
 
@@ -50,6 +63,12 @@ class Loading : public QObject {
   /// A file was opened or saved: it belongs in the list of recent ones.
   void fileUsed(const QString& path);
   void presetSaved(const QString& path);
+  /// Another model is in place; `unitSource` says where its unit came from.
+  void modelOpened(const QString& name, const QString& unitSource);
+  /// Which files became which maps, in lines for people.
+  void mapsMatched(const QString& report);
+  /// rereadMap has ended.
+  void mapReread(const QString& path, bool good);
   /// The scene, model or environment asked for is in place.
   void finished();
 

@@ -34,7 +34,11 @@ Result<ResolvedMaterial> decodeMaps(const Material& material, const std::shared_
     if (options.stop.stop_requested()) return cancelledError();
     Result<std::shared_ptr<const Image>> image =
         path.starts_with("embedded:") ? decodeEmbedded(path, model, warnings) : resolveTexture(path, options, warnings);
-    if (!image) return tl::unexpected(image.error());
+    if (!image) {
+      if (!options.keepMissingMaps || image.error().kind != Error::Kind::Input) return tl::unexpected(image.error());
+      warnings.push_back("the " + std::string(textureSlots().at(i).id) + " map is missing: " + image.error().message);
+      continue;
+    }
     resolved.images.at(i) = std::move(*image);
   }
   return resolved;

@@ -5,8 +5,8 @@
 
 namespace dermis {
 
-/// Decodes each map a material names; `embedded:N` from `model` (null: such a map is an error). Errors: Input, Runtime,
-/// Cancelled.
+/// Decodes each map a material names; `embedded:N` from `model` (null: such a map can't be read). Errors: Input (with
+/// ResolveOptions::keepMissingMaps a warning), Runtime, Cancelled.
 [[nodiscard]] Result<ResolvedMaterial> decodeMaps(const Material& material, const std::shared_ptr<const Model>& model,
                                                   const ResolveOptions& options, Warnings& warnings);
 

@@ -25,6 +25,14 @@ struct SlotLook {
   }
 };
 
+/// The model's size, with the lamps that are measured in millimetres.
+struct ModelScale {
+  std::optional<float> said;  ///< by the scene; unset: the model's own
+  float used = 1000.0F;
+  std::vector<Light> lights;
+  bool operator==(const ModelScale&) const = default;
+};
+
 struct EnvironmentLook {
   EnvironmentSource source;
   std::shared_ptr<const EnvironmentImages> images;

@@ -67,6 +67,10 @@ void FileActions::open(const QString& given) {
     if (path.isEmpty()) return;
     rememberFolder("open", path);
   }
+  if (QFileInfo(path).isDir()) {
+    m_loading.assignFolder(m_document.editedSlots(), path);
+    return;
+  }
   switch (fileKind(toPath(path))) {
     case FileKind::Scene:
       if (mayDiscard()) m_loading.openScene(toPath(path));

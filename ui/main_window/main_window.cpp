@@ -25,6 +25,7 @@
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/message_bar.h"
+#include "ui/main_window/model_unit_bar.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/main_window/safety_net.h"
 #include "ui/text.h"
@@ -58,7 +59,9 @@ void MainWindow::buildCentre() {
   column->setSpacing(0);
   m_messages = new MessageBar(centre);
   m_viewport = new Viewport(m_document, centre);
+  m_unit = new ModelUnitBar(m_document, centre);
   column->addWidget(m_messages);
+  column->addWidget(m_unit);
   column->addWidget(m_viewport, 1);
   setCentralWidget(centre);
 }
@@ -112,6 +115,7 @@ void MainWindow::buildStatusBar() {
 
 void MainWindow::connectParts() {
   connect(&m_loading, &Loading::message, this, &MainWindow::tell);
+  connect(&m_loading, &Loading::modelOpened, m_unit, qOverload<const QString&, const QString&>(&ModelUnitBar::ask));
   connect(&m_loading, &Loading::fileUsed, m_files, &FileActions::remember);
   connect(m_viewport, &Viewport::message, this, &MainWindow::tell);
   connect(m_camera, &CameraPanel::problem, this,
@@ -124,9 +128,10 @@ void MainWindow::connectParts() {
   connect(&m_tasks, &TaskRunner::activityChanged, this, &MainWindow::refreshActivity);
   connect(&m_document, &Document::titleChanged, this, &MainWindow::refreshTitle);
   connect(&m_document, &Document::changed, this, [this](Change what) {
-    if (what != Change::Everything || !m_document.isReady()) return;
+    if ((what != Change::Everything && what != Change::Unit) || !m_document.isReady()) return;
     // The embedded look stands in a window of any shape; a scene from a file keeps its camera.
-    if (m_document.path().empty() && m_document.undoStack().count() == 0) m_viewport->frameAll();
+    if (what == Change::Everything && m_document.path().empty() && m_document.undoStack().count() == 0)
+      m_viewport->frameAll();
     const Model& model = *m_document.model();
     const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
                           static_cast<double>(m_document.millimetresPerUnit());

@@ -29,6 +29,7 @@ class LightsPanel;
 class LogPanel;
 class MaterialPanel;
 class MessageBar;
+class ModelUnitBar;
 class PresetsPanel;
 class ProgramActions;
 class SafetyNet;
@@ -95,6 +96,7 @@ class MainWindow : public QMainWindow {
   DockLayout* m_docks = nullptr;
   Viewport* m_viewport = nullptr;
   MessageBar* m_messages = nullptr;
+  ModelUnitBar* m_unit = nullptr;
   MaterialPanel* m_material = nullptr;
   TexturesPanel* m_textures = nullptr;
   LightsPanel* m_lights = nullptr;

@@ -8,10 +8,12 @@
 
 #include "core/scene/cameras.h"
 #include "ui/docks/lights_panel.h"
+#include "ui/docks/material_clipboard.h"
 #include "ui/docks/material_panel.h"
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/main_window.h"
+#include "ui/main_window/model_unit_bar.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
@@ -55,6 +57,7 @@ void MainWindow::buildFileMenu() {
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecentMenu(recent); });
   add(menu, nullptr, tr("Open &model…"), QKeySequence(QStringLiteral("Ctrl+M")), this,
       [this] { m_files->openModel(); });
+  add(menu, nullptr, tr("Model &unit…"), {}, this, [this] { m_unit->ask(); });
   add(menu, "environment", tr("Choose &environment…"), QKeySequence(QStringLiteral("Ctrl+E")), this,
       [this] { m_files->chooseEnvironment(); });
   menu->addSeparator();
@@ -80,6 +83,9 @@ void MainWindow::buildEditMenu() {
   redo->setIcon(themeIcon("redo"));
   menu->addAction(undo);
   menu->addAction(redo);
+  menu->addSeparator();
+  menu->addAction(m_material->clipboard()->copyMaterialAction());
+  menu->addAction(m_material->clipboard()->pasteAction());
   menu->addSeparator();
   add(menu, "search", tr("&Find parameter"), QKeySequence::Find, this, [this] { m_material->focusSearch(); });
   add(menu, "reset", tr("Re&vert material to its preset"), {}, this,

@@ -25,6 +25,7 @@ ChoiceEditor::ChoiceEditor(const QStringList& words, QWidget* parent) : ValueEdi
   row->setContentsMargins(0, 0, 0, 0);
   m_box = new QuietComboBox(this);
   m_box->addItems(words);
+  m_box->setPlaceholderText(QStringLiteral("—"));
   row->addWidget(m_box, 1);
   setFocusProxy(m_box);
   connect(m_box, &QComboBox::activated, this,
@@ -32,8 +33,18 @@ ChoiceEditor::ChoiceEditor(const QStringList& words, QWidget* parent) : ValueEdi
 }
 
 void ChoiceEditor::showValue(const ParameterValue& value) {
+  m_index = std::get<EnumValue>(value).index;
+  refresh();
+}
+
+void ChoiceEditor::showMixed(bool mixed) {
+  m_mixed = mixed;
+  refresh();
+}
+
+void ChoiceEditor::refresh() {
   const QSignalBlocker blocker(m_box);
-  m_box->setCurrentIndex(std::get<EnumValue>(value).index);
+  m_box->setCurrentIndex(m_mixed ? -1 : m_index);
 }
 
 void ChoiceEditor::nameControls(const QString& path, const QString& id) {
@@ -48,12 +59,24 @@ SwitchEditor::SwitchEditor(QWidget* parent) : ValueEditor(parent) {
   row->addWidget(m_box);
   row->addStretch(1);
   setFocusProxy(m_box);
-  connect(m_box, &QCheckBox::toggled, this, [this](bool on) { Q_EMIT edited(ParameterValue(on), newGesture()); });
+  connect(m_box, &QCheckBox::clicked, this,
+          [this] { Q_EMIT edited(ParameterValue(m_box->checkState() != Qt::Unchecked), newGesture()); });
 }
 
 void SwitchEditor::showValue(const ParameterValue& value) {
+  m_on = std::get<bool>(value);
+  refresh();
+}
+
+void SwitchEditor::showMixed(bool mixed) {
+  m_mixed = mixed;
+  refresh();
+}
+
+void SwitchEditor::refresh() {
   const QSignalBlocker blocker(m_box);
-  m_box->setChecked(std::get<bool>(value));
+  m_box->setTristate(m_mixed);
+  m_box->setCheckState(m_mixed ? Qt::PartiallyChecked : m_on ? Qt::Checked : Qt::Unchecked);
 }
 
 void SwitchEditor::nameControls(const QString& path, const QString& id) {

@@ -24,11 +24,16 @@ class ChoiceEditor : public ValueEditor {
  public:
   explicit ChoiceEditor(const QStringList& words, QWidget* parent = nullptr);
   void showValue(const ParameterValue& value) override;
+  void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
   [[nodiscard]] QComboBox* box() const { return m_box; }
 
  private:
+  void refresh();
+
   QuietComboBox* m_box = nullptr;
+  int m_index = 0;
+  bool m_mixed = false;
 };
 
 class SwitchEditor : public ValueEditor {
@@ -36,10 +41,15 @@ class SwitchEditor : public ValueEditor {
  public:
   explicit SwitchEditor(QWidget* parent = nullptr);
   void showValue(const ParameterValue& value) override;
+  void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
 
  private:
+  void refresh();
+
   QCheckBox* m_box = nullptr;
+  bool m_on = false;
+  bool m_mixed = false;
 };
 
 }  // namespace dermis

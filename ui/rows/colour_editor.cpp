@@ -120,6 +120,12 @@ void ColourEditor::showDefault(const ParameterValue& value) {
   m_brightness->showDefaultNumber(static_cast<double>(meanOf(colour ? colour->rgb : m_automatic)));
 }
 
+void ColourEditor::showMixed(bool mixed) {
+  m_mixed = mixed;
+  if (m_brightness != nullptr) m_brightness->showMixed(mixed);
+  refresh();
+}
+
 void ColourEditor::setAutomatic(const glm::vec3& linear) {
   m_automatic = linear;
   refresh();
@@ -128,7 +134,7 @@ void ColourEditor::setAutomatic(const glm::vec3& linear) {
 void ColourEditor::refresh() {
   const glm::vec3 shown = m_own ? m_linear : m_automatic;
   m_swatch->showColour(shown);
-  m_text->setText(m_own ? toScreen(shown).name().toUpper() : tr("from IOR"));
+  m_text->setText(m_mixed ? QStringLiteral("—") : m_own ? toScreen(shown).name().toUpper() : tr("from IOR"));
   const auto part = [](float v) { return QString::number(static_cast<double>(v), 'f', 3); };
   m_swatch->setToolTip(tr("Linear Rec.709 %1, %2, %3\nsRGB %4")
                            .arg(part(shown.r), part(shown.g), part(shown.b), toScreen(shown).name()));

@@ -37,6 +37,7 @@ class ColourEditor : public ValueEditor {
   ColourEditor(bool optional, const NumberRange& range, QWidget* parent = nullptr);
   void showValue(const ParameterValue& value) override;
   void showDefault(const ParameterValue& value) override;
+  void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
   /// What an absent colour amounts to, shown while it is absent and taken as the start when it is switched on.
   void setAutomatic(const glm::vec3& linear);
@@ -47,6 +48,7 @@ class ColourEditor : public ValueEditor {
   void refresh();
 
   bool m_optional = false;
+  bool m_mixed = false;
   bool m_own = true;  ///< a colour of its own, rather than none
   glm::vec3 m_linear{0.0F};
   glm::vec3 m_automatic{0.04F};

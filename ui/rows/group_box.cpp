@@ -1,5 +1,6 @@
 #include "ui/rows/group_box.h"
 
+#include <QAction>
 #include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -34,6 +35,11 @@ GroupBox::GroupBox(const QString& title, const QString& key, QWidget* parent)
 }
 
 void GroupBox::addRow(QWidget* row) { m_rows->addWidget(row); }
+
+void GroupBox::addHeadActions(const QList<QAction*>& actions) {
+  m_head->addActions(actions);
+  m_head->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
 
 void GroupBox::clearRows() {
   while (QLayoutItem* item = m_rows->takeAt(0)) {

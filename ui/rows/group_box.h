@@ -15,6 +15,8 @@ class GroupBox : public QWidget {
   GroupBox(const QString& title, const QString& key, QWidget* parent = nullptr);
   void addRow(QWidget* row);
   void clearRows();
+  /// For the heading's context menu.
+  void addHeadActions(const QList<QAction*>& actions);
   [[nodiscard]] bool isOpen() const { return m_open; }
   void setOpen(bool open);
   /// While a search is on, a group with hits is open whatever was remembered.

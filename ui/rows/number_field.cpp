@@ -8,22 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/rows/number_text.h"
+
 namespace dermis {
 namespace {
 constexpr int kStoredDecimals = 6;
-}
-
-std::optional<double> parseNumber(const QString& text) {
-  QString plain = text.trimmed();
-  plain.replace(QLatin1Char(','), QLatin1Char('.'));
-  plain.replace(QChar(0x2212), QLatin1Char('-'));
-  // What follows the number is a unit.
-  qsizetype end = plain.size();
-  while (end > 0 && !plain[end - 1].isDigit() && plain[end - 1] != QLatin1Char('.')) --end;
-  bool ok = false;
-  const double number = QLocale::c().toDouble(plain.left(end), &ok);
-  if (!ok || !std::isfinite(number)) return std::nullopt;
-  return number;
 }
 
 NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpinBox(parent) {
@@ -45,6 +34,16 @@ void NumberField::setNumberRange(const NumberRange& range) {
   setSingleStep(range.step() * 10.0);
 }
 
+void NumberField::nameControl(const QString& name) {
+  setAccessibleName(name);
+  lineEdit()->setAccessibleName(name);
+}
+
+void NumberField::showMixed(bool mixed) {
+  m_mixed = mixed;
+  fitText();
+}
+
 void NumberField::showNumber(double number) {
   if (hasFocus() && lineEdit()->isModified() && qFuzzyCompare(1.0 + value(), 1.0 + number)) return;
   const QSignalBlocker blocker(this);
@@ -63,6 +62,7 @@ QString NumberField::allDigits(double value) const {
 }
 
 QString NumberField::textFromValue(double value) const {
+  if (m_mixed && !hasFocus()) return QStringLiteral("—");
   QString text = allDigits(value);
   if (hasFocus() || lineEdit() == nullptr) return text;
   // A line edit keeps two pixels on each side of its text, and a third for the cursor.
@@ -83,16 +83,16 @@ void NumberField::fitText() {
   const QSignalBlocker blocker(lineEdit());
   const QString text = textFromValue(value());
   if (lineEdit()->text() != text) lineEdit()->setText(text);
-  setToolTip(text == allDigits(value()) ? QString() : allDigits(value()));
+  setToolTip(m_mixed || text == allDigits(value()) ? QString() : allDigits(value()));
 }
 
 double NumberField::valueFromText(const QString& text) const {
-  return std::clamp(parseNumber(text).value_or(value()), minimum(), maximum());
+  return std::clamp(parseNumber(text, m_range.unit).value_or(value()), minimum(), maximum());
 }
 
 QValidator::State NumberField::validate(QString& text, int&) const {
   // A number past the range is typed on the way to one inside it; committing it clamps.
-  return parseNumber(text) ? QValidator::Acceptable : QValidator::Intermediate;
+  return parseNumber(text, m_range.unit) ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 void NumberField::fixup(QString& text) const { text = allDigits(value()); }
@@ -117,8 +117,12 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     selectAll();
     return;
   }
+  const double before = value();
   QDoubleSpinBox::keyPressEvent(event);
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) selectAll();
+  if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return;
+  selectAll();
+  // The number shown while it is typed over is one of several: committing it makes it all of theirs.
+  if (m_mixed && value() == before) Q_EMIT edited(before, m_clock.current());
 }
 
 void NumberField::focusInEvent(QFocusEvent* event) {

@@ -14,6 +14,10 @@ class NumberField : public QDoubleSpinBox {
   void setNumberRange(const NumberRange& range);
   /// Shows a number without telling of an edit.
   void showNumber(double number);
+  /// For assistive technology: the field and the line edit inside it.
+  void nameControl(const QString& name);
+  /// A dash, where several values are shown at once, until it has the focus.
+  void showMixed(bool mixed);
 
  Q_SIGNALS:
   void edited(double number, dermis::Gesture gesture);
@@ -37,9 +41,7 @@ class NumberField : public QDoubleSpinBox {
 
   NumberRange m_range;
   GestureClock m_clock;
+  bool m_mixed = false;
 };
-
-/// The number in a text such as "0,45", " 1.2 mm" or "3e-2"; nothing where there is none.
-[[nodiscard]] std::optional<double> parseNumber(const QString& text);
 
 }  // namespace dermis

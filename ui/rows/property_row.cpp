@@ -1,37 +1,36 @@
 #include "ui/rows/property_row.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <algorithm>
 
+#include "core/material/value_json.h"
+#include "core/material/values_text.h"
+#include "ui/rows/modified_dot.h"
+#include "ui/rows/number_text.h"
+#include "ui/text.h"
 #include "ui/theme/metrics.h"
 
 namespace dermis {
-namespace {
-
-/// The value last copied from any row; pasting needs the same type.
-std::optional<ParameterValue>& copiedValue() {
-  static std::optional<ParameterValue> s_copied;
-  return s_copied;
-}
-
-}  // namespace
 
 PropertyRow::PropertyRow(const QString& group, const QString& label, const QString& id, ValueEditor* editor,
                          QWidget* parent)
-    : QWidget(parent), m_path(group.isEmpty() ? label : group + QStringLiteral(" › ") + label), m_editor(editor) {
+    : QWidget(parent),
+      m_path(group.isEmpty() ? label : group + QStringLiteral(" › ") + label),
+      m_name(label),
+      m_group(group),
+      m_editor(editor) {
   setObjectName(id);
   setAccessibleName(m_path);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(0);
   grid->setVerticalSpacing(2);
-  m_dot = new QLabel(this);
-  m_dot->setFixedSize(metrics::kDotWidth, metrics::kControlHeight);
-  m_dot->setProperty("dot", true);
+  m_dot = new ModifiedDot(this);
   m_label = new QLabel(label, this);
   m_label->setFixedHeight(metrics::kControlHeight);
   m_label->setBuddy(editor);
@@ -56,19 +55,35 @@ void PropertyRow::showValue(const ParameterValue& value) {
   refreshDot();
 }
 
+void PropertyRow::showDifferences(const QString& values) {
+  if (values == m_differences) return;
+  m_differences = values;
+  m_editor->showMixed(!values.isEmpty());
+  refreshDot();
+}
+
 void PropertyRow::setDefault(const ParameterValue& value) {
   m_default = value;
   m_editor->showDefault(value);
   refreshDot();
 }
 
+void PropertyRow::setPresetValue(const std::optional<ParameterValue>& value) {
+  m_preset = value;
+  refreshDot();
+}
+
 void PropertyRow::setHelp(const QString& sentence) {
-  m_label->setToolTip(sentence);
+  setToolTip(sentence);
+  setWhatsThis(sentence);
+  m_editor->setToolTip(sentence);
   m_editor->setWhatsThis(sentence);
-  setAccessibleDescription(sentence);
+  for (QWidget* control : m_editor->findChildren<QWidget*>()) control->setWhatsThis(sentence);
 }
 
 bool PropertyRow::isModified() const { return m_value && m_default && !(*m_value == *m_default); }
+
+bool PropertyRow::differsFromPreset() const { return m_value && m_preset && !(*m_value == *m_preset); }
 
 bool PropertyRow::matches(const QString& words) const {
   const QStringList parts = words.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
@@ -78,13 +93,113 @@ bool PropertyRow::matches(const QString& words) const {
 }
 
 void PropertyRow::reset() {
-  if (isModified()) Q_EMIT edited(*m_default, newGesture());
+  if (isModified() || (m_default && !m_differences.isEmpty())) Q_EMIT edited(*m_default, newGesture());
+}
+
+void PropertyRow::resetToPreset() {
+  if (differsFromPreset()) Q_EMIT edited(*m_preset, newGesture());
 }
 
 void PropertyRow::refreshDot() {
-  const bool modified = isModified();
-  m_dot->setText(modified ? QStringLiteral("•") : QString());
-  m_dot->setToolTip(modified ? tr("Differs from the default") : QString());
+  using State = ModifiedDot::State;
+  m_dot->showState(!m_differences.isEmpty() ? State::Several
+                   : differsFromPreset()    ? State::Changed
+                   : isModified()           ? State::Differs
+                                            : State::AsDefault);
+  if (!m_differences.isEmpty()) m_dot->setToolTip(tr("The chosen slots have different values:\n%1").arg(m_differences));
+}
+
+// --- copy and paste ------------------------------------------------------------------------------------------------
+
+ParameterRow PropertyRow::described() const {
+  if (m_parameter != nullptr) return *m_parameter;
+  ParameterRow row;
+  row.type = static_cast<ParameterType>(m_value->index());
+  return row;
+}
+
+bool PropertyRow::canCopy() const {
+  return m_value && (m_parameter != nullptr || !std::holds_alternative<EnumValue>(*m_value));
+}
+
+void PropertyRow::copy() const {
+  if (!canCopy()) return;
+  const std::string id = objectName().toStdString();
+  ParameterRow row = described();
+  row.id = id;
+  QApplication::clipboard()->setText(text(writeValues({{&row, *m_value}})));
+}
+
+void PropertyRow::paste() {
+  if (!canCopy()) return;
+  const std::string id = objectName().toStdString();
+  const std::string group = m_group.toStdString();
+  const std::string label = m_name.toStdString();
+  ParameterRow row = described();
+  row.id = id;
+  row.group = group;
+  row.label = label;
+  const QString clipboard = QApplication::clipboard()->text();
+  if (row.type == ParameterType::Float)
+    if (const auto number = parseNumber(clipboard, text(row.unit))) {
+      Q_EMIT edited(ParameterValue(static_cast<float>(*number)), newGesture());
+      return;
+    }
+  const Result<ParameterValue> value = readValueFor(row, clipboard.toStdString());
+  if (value)
+    Q_EMIT edited(*value, newGesture());
+  else
+    Q_EMIT problem(text(value.error().message));
+}
+
+void PropertyRow::fillMenu(QMenu& menu) {
+  const auto add = [&](const QString& words, const char* id, bool enabled, const QKeySequence& keys, auto slot) {
+    QAction* action = menu.addAction(words);
+    action->setObjectName(QLatin1String(id));
+    action->setEnabled(enabled);
+    action->setShortcut(keys);
+    action->setShortcutVisibleInContextMenu(true);
+    connect(action, &QAction::triggered, this, slot);
+  };
+  const auto words = [this](const std::optional<ParameterValue>& value) {
+    const bool known = m_parameter != nullptr && value && m_parameter->type != ParameterType::Gaussians;
+    return known ? QStringLiteral(" (%1)").arg(text(parameterToText(*m_parameter, *value))) : QString();
+  };
+  add(tr("Reset to the default%1").arg(words(m_default)), "row.reset",
+      isModified() || (m_default && !m_differences.isEmpty()), QKeySequence(Qt::Key_Delete), &PropertyRow::reset);
+  if (m_preset)
+    add(tr("Back to the preset%1").arg(words(m_preset)), "row.resetToPreset", differsFromPreset(), {},
+        &PropertyRow::resetToPreset);
+  menu.addSeparator();
+  add(tr("Copy value"), "row.copy", canCopy(), QKeySequence::Copy, &PropertyRow::copy);
+  add(tr("Paste value"), "row.paste", canCopy() && !QApplication::clipboard()->text().isEmpty(), QKeySequence::Paste,
+      &PropertyRow::paste);
+  if (actions().isEmpty()) return;
+  menu.addSeparator();
+  menu.addActions(actions());
+}
+
+bool PropertyRow::event(QEvent* event) {
+  // The window's own shortcuts wait while a row has the focus and these keys mean its value.
+  if (event->type() == QEvent::ShortcutOverride) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Copy) || key->matches(QKeySequence::Paste) || key->key() == Qt::Key_Delete) {
+      event->accept();
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+void PropertyRow::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Copy))
+    copy();
+  else if (event->matches(QKeySequence::Paste))
+    paste();
+  else if (event->key() == Qt::Key_Delete)
+    reset();
+  else
+    QWidget::keyPressEvent(event);
 }
 
 bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
@@ -97,17 +212,9 @@ bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
 
 void PropertyRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
-  QAction* resetAction = menu.addAction(tr("Reset to default"));
-  resetAction->setEnabled(isModified());
-  menu.addSeparator();
-  QAction* copyAction = menu.addAction(tr("Copy value"));
-  QAction* pasteAction = menu.addAction(tr("Paste value"));
-  const std::optional<ParameterValue>& copied = copiedValue();
-  pasteAction->setEnabled(copied && m_value && copied->index() == m_value->index());
-  const QAction* chosen = menu.exec(event->globalPos());
-  if (chosen == resetAction) reset();
-  if (chosen == copyAction) copiedValue() = m_value;
-  if (chosen == pasteAction && copied) Q_EMIT edited(*copied, newGesture());
+  menu.setObjectName(QStringLiteral("row.menu"));
+  fillMenu(menu);
+  menu.exec(event->globalPos());
 }
 
 }  // namespace dermis

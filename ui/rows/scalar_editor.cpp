@@ -48,6 +48,8 @@ void ScalarEditor::showDefault(const ParameterValue& value) {
 
 void ScalarEditor::showDefaultNumber(double number) { m_slider->showDefault(number); }
 
+void ScalarEditor::showMixed(bool mixed) { m_field->showMixed(mixed); }
+
 void ScalarEditor::setNumberRange(const NumberRange& range) {
   m_slider->setNumberRange(range);
   m_field->setNumberRange(range);
@@ -61,7 +63,7 @@ void ScalarEditor::setPrefix(const QString& text) {
 void ScalarEditor::nameControls(const QString& path, const QString& id) {
   m_slider->setAccessibleName(path);
   m_slider->setObjectName(id + QStringLiteral(".slider"));
-  m_field->setAccessibleName(path);
+  m_field->nameControl(path);
   m_field->setObjectName(id + QStringLiteral(".number"));
 }
 

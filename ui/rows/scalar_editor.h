@@ -16,6 +16,7 @@ class ScalarEditor : public ValueEditor {
   explicit ScalarEditor(const NumberRange& range, QWidget* parent = nullptr);
   void showValue(const ParameterValue& value) override { showNumber(static_cast<double>(std::get<float>(value))); }
   void showDefault(const ParameterValue& value) override;
+  void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
 
   void showNumber(double number);

@@ -30,6 +30,8 @@ class ValueEditor : public QWidget {
   virtual void nameControls(const QString& path, const QString& id) = 0;
   /// The value a reset returns to, shown as a mark where the editor has a place for it.
   virtual void showDefault(const ParameterValue&) {}
+  /// Several values are shown at once and differ: a dash instead of one of them.
+  virtual void showMixed(bool) {}
   /// True where the row should put its label on a line of its own.
   [[nodiscard]] virtual bool wide() const { return false; }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/rows/accessible_values.h"
+
 namespace dermis {
 namespace {
 
@@ -17,6 +19,7 @@ double roundTo(double number, double step) { return std::round(number / step) * 
 }  // namespace
 
 ValueSlider::ValueSlider(const NumberRange& range, QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  installAccessibleValues();
   setRange(0, kSteps);
   setSingleStep(kSteps / 100);
   setPageStep(kSteps / 10);
@@ -44,6 +47,13 @@ void ValueSlider::showNumber(double number) {
   const QSignalBlocker blocker(this);
   setValue(static_cast<int>(std::lround(fractionOf(number) * kSteps)));
   update();
+}
+
+void ValueSlider::setNumber(double number) {
+  const double inside = std::clamp(number, m_range.hardMin, m_range.hardMax);
+  if (inside == m_number) return;
+  showNumber(inside);
+  Q_EMIT edited(inside, m_clock.current());
 }
 
 void ValueSlider::showDefault(std::optional<double> number) {
@@ -107,14 +117,37 @@ void ValueSlider::wheelEvent(QWheelEvent* event) {
     event->ignore();
     return;
   }
-  const double ticks = (event->angleDelta().y() + event->angleDelta().x()) / 120.0;
+  step((event->angleDelta().y() + event->angleDelta().x()) / 120.0, event->modifiers());
+  event->accept();
+}
+
+void ValueSlider::step(double ticks, Qt::KeyboardModifiers keys) {
   const double range = m_range.softMax - m_range.softMin;
-  const Qt::KeyboardModifiers keys = event->modifiers();
   const double tick = keys.testFlag(Qt::ControlModifier) ? range / 20.0
                       : keys.testFlag(Qt::ShiftModifier) ? m_range.step()
                                                          : range / 100.0;
   moveTo(m_number + ticks * tick, keys);
-  event->accept();
+}
+
+void ValueSlider::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+      return step(-1.0, event->modifiers());
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+      return step(1.0, event->modifiers());
+    case Qt::Key_PageDown:
+      return step(-10.0, event->modifiers());
+    case Qt::Key_PageUp:
+      return step(10.0, event->modifiers());
+    case Qt::Key_Home:
+      return setNumber(m_range.softMin);
+    case Qt::Key_End:
+      return setNumber(m_range.softMax);
+    default:
+      QSlider::keyPressEvent(event);
+  }
 }
 
 void ValueSlider::paintEvent(QPaintEvent*) {

@@ -16,6 +16,10 @@ class ValueSlider : public QSlider {
   explicit ValueSlider(const NumberRange& range, QWidget* parent = nullptr);
   void setNumberRange(const NumberRange& range);
   void showNumber(double number);
+  /// As a hand would: clamped to the hard range, and an edit.
+  void setNumber(double number);
+  [[nodiscard]] double number() const { return m_number; }
+  [[nodiscard]] const NumberRange& range() const { return m_range; }
   void showDefault(std::optional<double> number);
   [[nodiscard]] QSize sizeHint() const override { return {120, 22}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {48, 22}; }
@@ -33,10 +37,12 @@ class ValueSlider : public QSlider {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   [[nodiscard]] double fractionOf(double number) const;
   void moveTo(double number, Qt::KeyboardModifiers keys);
+  void step(double ticks, Qt::KeyboardModifiers keys);
 
   NumberRange m_range;
   GestureClock m_clock;

@@ -49,6 +49,10 @@ void VectorEditor::showDefault(const ParameterValue& value) {
     m_components[i]->showDefaultNumber(static_cast<double>(numbers[static_cast<int>(i)]));
 }
 
+void VectorEditor::showMixed(bool mixed) {
+  for (ScalarEditor* one : m_components) one->showMixed(mixed);
+}
+
 void VectorEditor::nameControls(const QString& path, const QString& id) {
   for (std::size_t i = 0; i < m_components.size(); ++i) {
     const QString letter = m_letters[static_cast<qsizetype>(i)];
@@ -81,7 +85,7 @@ void TripleEditor::nameControls(const QString& path, const QString& id) {
   static constexpr const char* kLetters = "XYZ";
   for (std::size_t i = 0; i < 3; ++i) {
     const QChar letter = QLatin1Char(kLetters[i]);
-    m_fields[i]->setAccessibleName(path + QLatin1Char(' ') + letter);
+    m_fields[i]->nameControl(path + QLatin1Char(' ') + letter);
     m_fields[i]->setObjectName(id + QLatin1Char('.') + letter.toLower());
   }
 }

@@ -19,6 +19,7 @@ class VectorEditor : public ValueEditor {
   VectorEditor(int components, const NumberRange& range, const QStringList& letters, QWidget* parent = nullptr);
   void showValue(const ParameterValue& value) override;
   void showDefault(const ParameterValue& value) override;
+  void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
 
  private:

@@ -13,7 +13,7 @@ struct Shade {
   const char* dark;
   const char* light;
 };
-constexpr std::array<Shade, 28> kShades{{
+constexpr std::array<Shade, 29> kShades{{
     {"shade", "#1f1f1f", "#a6a6a6"},         {"edge", "#262626", "#b8b8b8"},
     {"gap", "#2a2a2a", "#c6c6c6"},           {"field", "#2c2c2c", "#fbfbfb"},
     {"well", "#2f2f2f", "#d2d2d2"},          {"list", "#323232", "#f4f4f4"},
@@ -28,6 +28,7 @@ constexpr std::array<Shade, 28> kShades{{
     {"accent", "#5a8fc8", "#2f6fb4"},        {"selection", "#4c5866", "#bccfe4"},
     {"textSelection", "#4f7fb4", "#a4c6ec"}, {"drop", "#384048", "#dce6f2"},
     {"tip", "#1f1f1f", "#fafafa"},           {"theme", "dark", "light"},
+    {"warning", "#e0b060", "#8a5a00"},
 }};
 
 const QString& sheet() {
@@ -73,6 +74,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 
 QLabel { background: transparent; }
 QLabel[quiet="true"] { color: @quiet; }
+QLabel[warning="true"] { color: @warning; }
 QLabel[heading="true"] { color: @strong; font-weight: 500; }
 QLabel[dot="true"] { color: @strong; font-size: 15px; padding: 0; }
 

@@ -401,7 +401,9 @@ Result<ResolvedScene> resolveScene(const Scene& scene, const fs::path& baseFolde
   for (TextureTask& task : tasks) {
     append(warnings, task.warnings);
     if (!task.error) continue;
-    if (task.error->kind == Error::Kind::Input && task.fromModelFile)
+    if (task.error->kind == Error::Kind::Input && options.keepMissingMaps)
+      warnings.push_back(task.purpose + " is missing: " + task.error->message);
+    else if (task.error->kind == Error::Kind::Input && task.fromModelFile)
       warnings.push_back("left out " + task.purpose + ": " + task.error->message);
     else if (task.error->kind == Error::Kind::Input)
       return inputError(task.purpose + ": " + task.error->message);
@@ -417,7 +419,7 @@ Result<ResolvedScene> resolveScene(const Scene& scene, const fs::path& baseFolde
       TextureBinding& binding = slot.material.texture(row.slot);
       if (!binding.present()) continue;
       std::shared_ptr<const Image> image = tasks[taskOf[binding.path]].image;
-      if (image == nullptr) binding = {};
+      if (image == nullptr && !options.keepMissingMaps) binding = {};
       slot.images.at(static_cast<std::size_t>(row.slot)) = std::move(image);
     }
   return resolved;

@@ -44,6 +44,9 @@ struct ResolveOptions {
   std::shared_ptr<AssetCache> cache;
   /// Slots that the scene binds nothing to wear what the model's own file says, rather than `skin` with its defaults.
   bool importedMaterials = false;
+  /// A map that is missing or can't be read stays bound, without a picture, and is a warning: an editor can ask where
+  /// it went. Else it is an error.
+  bool keepMissingMaps = false;
 };
 
 /// Everything that `scene` points to, decoded. Relative paths count from `baseFolder`. Maps are decoded concurrently.
