@@ -197,12 +197,14 @@ TEST_F(ParameterRows, EveryRowSaysWhatItMeansInItsTip) {
   for (const ParameterRow& parameter : parameterTable()) {
     auto* row = find<PropertyRow>(QString::fromUtf8(parameter.id.data(), static_cast<qsizetype>(parameter.id.size())));
     ASSERT_NE(row, nullptr);
-    const QString start = QString::fromUtf8(parameter.sentence.data(), 12).toHtmlEscaped();
-    for (QWidget* control : row->editor()->findChildren<QWidget*>({}, Qt::FindDirectChildrenOnly))
-      EXPECT_TRUE(control->whatsThis().contains(start)) << parameter.id << " " << control->metaObject()->className();
-    EXPECT_TRUE(row->toolTip().contains(start)) << parameter.id;
-    if (!parameter.source.empty())
-      EXPECT_TRUE(row->toolTip().contains(QString::fromUtf8(parameter.source.data(), 6))) << parameter.id;
+    const auto words = [](std::string_view utf8) {
+      return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())).toHtmlEscaped();
+    };
+    for (QWidget* control : row->editor()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+      EXPECT_TRUE(control->whatsThis().contains(words(parameter.sentence)))
+          << parameter.id << " " << control->metaObject()->className();
+    EXPECT_TRUE(row->toolTip().contains(words(parameter.sentence))) << parameter.id;
+    EXPECT_TRUE(row->toolTip().contains(words(parameter.source))) << parameter.id;
   }
 }
 

@@ -3,9 +3,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QGridLayout>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QToolButton>
 #include <algorithm>
 
@@ -18,8 +16,8 @@
 #include "ui/rows/colour_editor.h"
 #include "ui/rows/group_box.h"
 #include "ui/rows/property_row.h"
+#include "ui/rows/search_field.h"
 #include "ui/text.h"
-#include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
 
 namespace dermis {
@@ -36,7 +34,7 @@ QString helpFor(const ParameterRow& row) {
   if (row.type != ParameterType::Gaussians)
     help += QObject::tr("<br>Default %1").arg(text(parameterToText(row, row.defaultValue())));
   if (row.map) help += QObject::tr("<br>Multiplies the %1 map").arg(text(textureSlotRow(*row.map).label).toLower());
-  if (!row.source.empty()) help += QObject::tr("<br>Source: %1").arg(text(row.source));
+  if (!row.source.empty()) help += QObject::tr("<br>Source: %1").arg(text(row.source).toHtmlEscaped());
   return QStringLiteral("<qt>%1<br><span style='color:#909090'>%2</span></qt>").arg(help, text(row.id));
 }
 
@@ -109,13 +107,7 @@ void MaterialPanel::buildStrip() {
   grid->setColumnMinimumWidth(0, 48);
   grid->setColumnStretch(1, 1);
   strip()->addLayout(grid);
-  m_search = new QLineEdit(this);
-  m_search->setObjectName(QStringLiteral("material.search"));
-  m_search->setAccessibleName(tr("Search parameters"));
-  m_search->setPlaceholderText(tr("Search parameters"));
-  m_search->setClearButtonEnabled(true);
-  m_search->installEventFilter(this);
-  m_search->addAction(themeIcon("search"), QLineEdit::LeadingPosition);
+  m_search = new SearchField(tr("Search parameters"), QStringLiteral("material.search"), this);
   strip()->addWidget(m_search);
 
   connect(m_model, &QComboBox::activated, this, [this](int index) {
@@ -251,15 +243,6 @@ void MaterialPanel::focusSearch() {
     }
   m_search->setFocus(Qt::ShortcutFocusReason);
   m_search->selectAll();
-}
-
-bool MaterialPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_search && event->type() == QEvent::KeyPress &&
-      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && !m_search->text().isEmpty()) {
-    m_search->clear();
-    return true;
-  }
-  return Panel::eventFilter(watched, event);
 }
 
 }  // namespace dermis

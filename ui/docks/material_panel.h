@@ -10,7 +10,6 @@
 
 class QComboBox;
 class QLabel;
-class QLineEdit;
 class QToolButton;
 
 namespace dermis {
@@ -19,6 +18,7 @@ class Document;
 class Loading;
 class MaterialClipboard;
 class PropertyRow;
+class SearchField;
 class SlotChooser;
 
 class MaterialPanel : public Panel {
@@ -31,9 +31,6 @@ class MaterialPanel : public Panel {
 
  Q_SIGNALS:
   void savePresetRequested();
-
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   struct Entry {
@@ -54,7 +51,7 @@ class MaterialPanel : public Panel {
   MaterialClipboard* m_clipboard = nullptr;
   SlotChooser* m_slots = nullptr;
   QComboBox* m_model = nullptr;
-  QLineEdit* m_search = nullptr;
+  SearchField* m_search = nullptr;
   QLabel* m_preset = nullptr;
   QToolButton* m_revert = nullptr;
   QLabel* m_nothing = nullptr;

@@ -60,7 +60,7 @@ ModelUnitBar::ModelUnitBar(Document& document, QWidget* parent) : QFrame(parent)
   m_number = new NumberField(NumberRange{1e-4, 1e7, 0.1, 1000.0, QStringLiteral("mm")}, this);
   m_number->setFixedWidth(86);
   m_number->setObjectName(QStringLiteral("modelUnit.number"));
-  m_number->nameControl(tr("Millimetres in one unit of the model"));
+  m_number->setAccessibleName(tr("Millimetres in one unit of the model"));
   row->addWidget(m_number);
   auto* unit = new QLabel(QStringLiteral("mm"), this);
   unit->setProperty("quiet", true);

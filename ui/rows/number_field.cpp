@@ -34,11 +34,6 @@ void NumberField::setNumberRange(const NumberRange& range) {
   setSingleStep(range.step() * 10.0);
 }
 
-void NumberField::nameControl(const QString& name) {
-  setAccessibleName(name);
-  lineEdit()->setAccessibleName(name);
-}
-
 void NumberField::showMixed(bool mixed) {
   m_mixed = mixed;
   fitText();

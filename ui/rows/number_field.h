@@ -14,8 +14,6 @@ class NumberField : public QDoubleSpinBox {
   void setNumberRange(const NumberRange& range);
   /// Shows a number without telling of an edit.
   void showNumber(double number);
-  /// For assistive technology: the field and the line edit inside it.
-  void nameControl(const QString& name);
   /// A dash, where several values are shown at once, until it has the focus.
   void showMixed(bool mixed);
 

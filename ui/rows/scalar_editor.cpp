@@ -63,7 +63,7 @@ void ScalarEditor::setPrefix(const QString& text) {
 void ScalarEditor::nameControls(const QString& path, const QString& id) {
   m_slider->setAccessibleName(path);
   m_slider->setObjectName(id + QStringLiteral(".slider"));
-  m_field->nameControl(path);
+  m_field->setAccessibleName(path);
   m_field->setObjectName(id + QStringLiteral(".number"));
 }
 

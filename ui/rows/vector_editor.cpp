@@ -85,7 +85,7 @@ void TripleEditor::nameControls(const QString& path, const QString& id) {
   static constexpr const char* kLetters = "XYZ";
   for (std::size_t i = 0; i < 3; ++i) {
     const QChar letter = QLatin1Char(kLetters[i]);
-    m_fields[i]->nameControl(path + QLatin1Char(' ') + letter);
+    m_fields[i]->setAccessibleName(path + QLatin1Char(' ') + letter);
     m_fields[i]->setObjectName(id + QLatin1Char('.') + letter.toLower());
   }
 }
