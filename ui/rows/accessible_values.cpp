@@ -1,6 +1,10 @@
 #include "ui/rows/accessible_values.h"
 
+#include <QAbstractButton>
 #include <QAccessibleWidget>
+#include <QAction>
+#include <QCoreApplication>
+#include <QToolButton>
 
 #include "ui/dialogs/colour_areas.h"
 #include "ui/rows/value_slider.h"
@@ -32,7 +36,34 @@ class AccessibleSlider : public QAccessibleWidget, public QAccessibleValueInterf
   ValueSlider* m_slider;
 };
 
-QAccessibleInterface* makeInterface(const QString&, QObject* object) {
+/// Qt gives the buttons inside a line edit no name; the field's own says what they are for.
+class AccessibleFieldButton : public QAccessibleWidget {
+ public:
+  explicit AccessibleFieldButton(QAbstractButton* button)
+      : QAccessibleWidget(button, QAccessible::Button), m_button(button) {}
+
+  [[nodiscard]] QString text(QAccessible::Text kind) const override {
+    const QString own = QAccessibleWidget::text(kind);
+    if (kind != QAccessible::Name || !own.isEmpty()) return own;
+    const QString field = m_button->parentWidget()->accessibleName();
+    const bool clears = qobject_cast<QToolButton*>(m_button) != nullptr &&
+                        static_cast<QToolButton*>(m_button)->defaultAction() != nullptr &&
+                        static_cast<QToolButton*>(m_button)->defaultAction()->objectName().contains(
+                            QLatin1String("clear"), Qt::CaseInsensitive);
+    return clears ? QCoreApplication::translate("dermis::SearchField", "%1: empty the field").arg(field) : field;
+  }
+  [[nodiscard]] QStringList actionNames() const override { return {pressAction()}; }
+  void doAction(const QString& action) override {
+    if (action == pressAction()) m_button->click();
+  }
+
+ private:
+  QAbstractButton* m_button;
+};
+
+QAccessibleInterface* makeInterface(const QString& className, QObject* object) {
+  if (className == QLatin1String("QLineEditIconButton"))
+    if (auto* button = qobject_cast<QAbstractButton*>(object)) return new AccessibleFieldButton(button);
   if (auto* slider = qobject_cast<ValueSlider*>(object)) return new AccessibleSlider(slider);
   if (auto* square = qobject_cast<SaturationSquare*>(object))
     return new QAccessibleWidget(square, QAccessible::ColorChooser);

@@ -1,6 +1,5 @@
 #include "ui/rows/search_field.h"
 
-#include <QAbstractButton>
 #include <QKeyEvent>
 
 #include "ui/theme/icons.h"
@@ -13,10 +12,7 @@ SearchField::SearchField(const QString& name, const QString& id, QWidget* parent
   setPlaceholderText(name);
   setToolTip(tr("%1; Esc empties it").arg(name));
   setClearButtonEnabled(true);
-  addAction(themeIcon("search"), QLineEdit::LeadingPosition)->setText(name);
-  // Qt gives the buttons inside a line edit no name.
-  for (QAbstractButton* button : findChildren<QAbstractButton*>())
-    if (button->text().isEmpty()) button->setAccessibleName(tr("%1: empty the field").arg(name));
+  addAction(themeIcon("search"), QLineEdit::LeadingPosition);
 }
 
 void SearchField::keyPressEvent(QKeyEvent* event) {
