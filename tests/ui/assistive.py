@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Uses the editor through AT-SPI, as a screen reader does: no control without a name; ten parameters set, a preset saved.
 
   dbus-run-session -- xvfb-run -a python3 tests/ui/assistive.py build/bin/dermis
@@ -12,7 +12,11 @@ import sys
 import tempfile
 import time
 
+import gi
 import pyatspi
+
+gi.require_version("Atspi", "2.0")
+from gi.repository import Atspi  # noqa: E402
 
 WANTED = {
     "subsurface.scale": ("Subsurface › Scale", 2.5),
@@ -61,8 +65,20 @@ def application():
     return next((a for a in desktop if a is not None and a.name == "dermis"), None)
 
 
-def find(name, role):
-    return next((n for n in walk(application()) if n.getRole() == role and n.name == name), None)
+def wait_until_quiet():
+    """A software renderer keeps the window busy while its picture is refined; a walk between two frames takes ages."""
+    quiet = 0
+    end = time.time() + 300
+    while quiet < 8 and time.time() < end:
+        start = time.time()
+        app = application()
+        quiet = quiet + 1 if app is not None and app.childCount > 0 and time.time() - start < 0.1 else 0
+        time.sleep(0.25)
+
+
+def find(name, role, nodes=None):
+    found = (n for n in (nodes if nodes is not None else walk(application())) if n.getRole() == role and n.name == name)
+    return next(found, None)
 
 
 def press(node):
@@ -89,7 +105,11 @@ def main():
     with tempfile.TemporaryDirectory() as home:
         environment = dict(os.environ, HOME=home, XDG_CONFIG_HOME=home, XDG_CACHE_HOME=home, XDG_DATA_HOME=home,
                            QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1", **comma_locale(home))
-        with subprocess.Popen([sys.argv[1]], env=environment) as program:
+        # A ball is drawn faster than the head where the processor draws.
+        scene = os.path.join(home, "ball.dermis")
+        with open(scene, "w", encoding="ascii") as file:
+            json.dump({"format": "dermis.scene", "version": 1, "model": {"builtin": "sphere"}}, file)
+        with subprocess.Popen([sys.argv[1], scene], env=environment) as program:
             try:
                 use(home)
             finally:
@@ -97,11 +117,10 @@ def main():
 
 
 def use(home):
+    # Between two frames of a software renderer there may be seconds.
+    Atspi.set_timeout(30000, 30000)
     wait_for("the program", application)
-    ready = lambda: (lambda s: s is not None and s.getState().contains(pyatspi.STATE_ENABLED))(
-        find("Subsurface › Scale", pyatspi.ROLE_SLIDER))
-    wait_for("the material", ready)
-
+    wait_until_quiet()
     controls = [n for n in walk(application()) if n.getRole() in CONTROLS]
     nameless = [n for n in controls if not n.name]
     print(f"{len(controls)} controls, {len(nameless)} without a name")
@@ -111,16 +130,18 @@ def use(home):
     for path, value in WANTED.values():
         # Half of them by their sliders, half by their fields.
         role = pyatspi.ROLE_SLIDER if value >= 0.7 else pyatspi.ROLE_SPIN_BUTTON
-        control = find(path, role)
+        control = find(path, role, controls)
         if control is None:
             sys.exit(f"no {role} is called {path}")
         control.queryValue().currentValue = value
 
     preset = os.path.join(home, "spoken.json")
-    press(find("Save preset as…", pyatspi.ROLE_MENU_ITEM))
-    entry = wait_for("the file dialog", lambda: find("File name:", pyatspi.ROLE_TEXT))
-    entry.queryEditableText().setTextContents(preset)
-    press(find("Save", pyatspi.ROLE_PUSH_BUTTON))
+    wait_until_quiet()
+    press(find("Save preset as…", pyatspi.ROLE_MENU_ITEM, controls))
+    dialog = wait_for("the file dialog", lambda: next((w for w in application() if w.name == "Save preset"), None))
+    inside = list(walk(dialog))
+    find("File name:", pyatspi.ROLE_TEXT, inside).queryEditableText().setTextContents(preset)
+    press(find("Save", pyatspi.ROLE_PUSH_BUTTON, inside))
     wait_for("the preset", lambda: os.path.exists(preset), 20)
 
     with open(preset, encoding="utf-8") as file:

@@ -10,7 +10,7 @@ namespace {
 
 TEST(AssistiveTechnology, FindsEveryControlByNameSetsTenParametersAndSavesAPreset) {
   const QString session = QStandardPaths::findExecutable(QStringLiteral("dbus-run-session"));
-  const QString python = QStandardPaths::findExecutable(QStringLiteral("python3"));
+  const QString python = QStringLiteral("/usr/bin/python3");  // where Debian's modules are
   if (session.isEmpty() || QProcess::execute(python, {QStringLiteral("-c"), QStringLiteral("import pyatspi")}) != 0)
     GTEST_SKIP() << "dbus-run-session or python3-pyatspi is not installed";
   QProcess script;
