@@ -41,7 +41,7 @@ TEST_F(CopyPaste, AValueGoesByTheKeysFromOneRowToAnother) {
   QTest::keyClick(to, Qt::Key_V, Qt::ControlModifier);
   EXPECT_FLOAT_EQ(of(face).subsurfaceWeight, 0.05F);
   EXPECT_EQ(undo().count(), 3);
-  EXPECT_GT(meanDifference(before, picture()), 0.05F);
+  EXPECT_GT(meanDifference(before, picture()), 0.02F);
 }
 
 TEST_F(CopyPaste, AValueFromAnotherProgramIsTakenAsItIsTyped) {
