@@ -6,6 +6,7 @@
 #include <QMimeData>
 #include <QOffscreenSurface>
 #include <QProgressBar>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QToolButton>
@@ -36,7 +37,7 @@ namespace dermis {
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
-  resize(1600, 1000);
+  resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
   m_files = new FileActions(m_document, m_loading, this);
   m_safetyNet = new SafetyNet(m_document, m_loading, this);
   buildCentre();
