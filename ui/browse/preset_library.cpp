@@ -1,5 +1,6 @@
 #include "ui/browse/preset_library.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -16,13 +17,14 @@
 namespace dermis {
 namespace {
 
-/// To be raised when thumbnails of the same content come to look different.
-constexpr const char* kPictureVersion = "1 " DERMIS_VERSION;
 constexpr int kSettleMs = 150;
 
 QString thumbnailKey(const Material& material) {
   QCryptographicHash hash(QCryptographicHash::Sha1);
-  hash.addData(QByteArray(kPictureVersion));
+  // Another program may draw the same preset otherwise.
+  static const std::string kProgram = AssetCache::fileKey(toPath(QCoreApplication::applicationFilePath()));
+  hash.addData(QByteArray(DERMIS_VERSION));
+  hash.addData(QByteArray::fromStdString(kProgram));
   hash.addData(QByteArray::fromStdString(writePreset(material, {})));
   for (const TextureBinding& map : material.textures)
     if (map.present() && !namesNoFile(map.path)) hash.addData(QByteArray::fromStdString(AssetCache::fileKey(map.path)));

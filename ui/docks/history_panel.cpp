@@ -49,6 +49,7 @@ class StateDelegate : public QStyledItemDelegate {
 }  // namespace
 
 HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_StyledBackground);  // the panel's grey, as for its neighbours
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

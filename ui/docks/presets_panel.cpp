@@ -38,6 +38,7 @@ const QString kScrollKey = QStringLiteral("presets/scroll");
 
 PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent)
     : QWidget(parent), m_document(document), m_loading(loading), m_preferences(preferences) {
+  setAttribute(Qt::WA_StyledBackground);  // the panel's grey, as for its neighbours
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

@@ -1,6 +1,8 @@
 // How Loading runs its work beside the event loop; for its own source files.
 #pragma once
 
+#include <cmath>
+
 #include "ui/document/loading.h"
 
 namespace dermis {
@@ -10,8 +12,15 @@ void Loading::run(const QString& lane, const QString& title, Work work, Done don
   using Value = typename std::invoke_result_t<Work, const ResolveOptions&, Warnings&>::value_type;
   m_tasks.run(
       lane, title,
-      [work = std::move(work), cache = m_cache](std::stop_token stop) {
+      [work = std::move(work), cache = m_cache, tasks = &m_tasks, lane](std::stop_token stop) {
         ResolveOptions options;
+        // The runner waits for its tasks before it goes.
+        options.progress = [tasks, lane, last = -1.0](std::string_view, double fraction) mutable {
+          if (std::abs(fraction - last) < 0.01) return;
+          last = fraction;
+          QMetaObject::invokeMethod(
+              tasks, [tasks, lane, fraction] { tasks->setFraction(lane, fraction); }, Qt::QueuedConnection);
+        };
         options.stop = stop;
         options.cache = cache;
         options.keepMissingMaps = true;

@@ -64,6 +64,19 @@ bool TaskRunner::busy(const QString& lane) const {
                      [&](const auto& task) { return !task->dropped && task->lane == lane; });
 }
 
+void TaskRunner::setFraction(const QString& lane, double fraction) {
+  for (const auto& task : m_tasks)
+    if (!task->dropped && task->lane == lane) task->fraction = fraction;
+  Q_EMIT activityChanged();
+}
+
+double TaskRunner::fraction() const {
+  double least = -1.0;
+  for (const auto& task : m_tasks)
+    if (!task->dropped && task->fraction >= 0.0) least = least < 0.0 ? task->fraction : std::min(least, task->fraction);
+  return least;
+}
+
 QString TaskRunner::title() const {
   QStringList titles;
   for (const auto& task : m_tasks)

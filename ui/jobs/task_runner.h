@@ -34,6 +34,10 @@ class TaskRunner : public QObject {
   void cancelAll();
   [[nodiscard]] bool busy() const;
   [[nodiscard]] bool busy(const QString& lane) const;
+  /// How far a task has come, 0..1; to be called on the GUI thread.
+  void setFraction(const QString& lane, double fraction);
+  /// Of the task that has come least far; −1 where none has said.
+  [[nodiscard]] double fraction() const;
   /// What is being done, for the status bar; empty when idle.
   [[nodiscard]] QString title() const;
 
@@ -46,6 +50,7 @@ class TaskRunner : public QObject {
     QString lane;
     QString title;
     quint64 number = 0;
+    double fraction = -1.0;
     bool dropped = false;  ///< cancelled: its result is not wanted
     std::jthread thread;
   };

@@ -174,7 +174,9 @@ void MainWindow::refreshActivity() {
   m_progress->setVisible(busy);
   m_cancel->setVisible(busy);
   if (!m_tasks.busy(QStringLiteral("picture"))) m_pictureFraction = -1.0;
-  const double fraction = m_pictureFraction >= 0.0 ? m_pictureFraction : loading.isEmpty() ? m_jobFraction : -1.0;
+  const double fraction = m_pictureFraction >= 0.0 ? m_pictureFraction
+                          : loading.isEmpty()      ? m_jobFraction
+                                                   : m_tasks.fraction();
   m_progress->setRange(0, fraction < 0.0 ? 0 : 1000);
   if (fraction >= 0.0) m_progress->setValue(static_cast<int>(fraction * 1000.0));
   const QString title = !loading.isEmpty() ? loading : m_jobTitle;
