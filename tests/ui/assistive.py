@@ -3,7 +3,7 @@
 
   dbus-run-session -- xvfb-run -a python3 tests/ui/assistive.py build/bin/dermis
 
-The program runs under a locale with a decimal comma, where one can be made (localedef). Exit code 0: all is well.
+Run by hand (packages at-spi2-core, python3-pyatspi, dbus-daemon), on a machine that is not busy. The program runs under a locale with a decimal comma, where one can be made (localedef). Exit code 0: all is well.
 """
 import json
 import os
