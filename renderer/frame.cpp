@@ -9,6 +9,7 @@
 #include "lighting/spherical_harmonics.h"
 #include "passes/accumulate_pass.h"
 #include "passes/read_back.h"
+#include "passes/reference_objects.h"
 #include "passes/sky_pass.h"
 #include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
@@ -98,6 +99,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      request.exactDisplay,
                      animates ? request.seconds : 0.0,
                      request.withoutSubsurface,
+                     request.references,
                      revision};
   if (request.moving || !(key == m_stillKey)) m_samples = 0;
   m_stillKey = key;
@@ -165,6 +167,12 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
       glBlitNamedFramebuffer(m_targets.multisampled().id(), m_targets.scene().id(), 0, 0, size.x, size.y, 0, 0, size.x,
                              size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
+    if (request.references.balls || request.references.chart) {
+      const auto timed = m_timer.pass("references");
+      m_targets.scene().bind();
+      m_targets.drawToBeauty();
+      referencePass(frame, jitter);
+    }
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     m_lastCamera = frame.camera;
     m_lastMultisampled = multisampled;
@@ -187,6 +195,8 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   }
   statistics.samples = request.moving ? 1 : m_samples;
   statistics.targetSamples = m_targetSamples;
+  statistics.pictureSize = request.size;
+  m_showsSums = !request.moving;
   restoreDefaults(request.framebuffer);
   return true;
 }
@@ -256,21 +266,24 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   const float weight = fromSums ? 1.0F / static_cast<float>(std::max(m_samples, 1)) : 1.0F;
   const glm::ivec2 size = request.displaySize.x > 0 && request.displaySize.y > 0 ? request.displaySize : request.size;
   glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);
+  const glm::ivec2 columns = request.displayColumns.y > 0 ? request.displayColumns : glm::ivec2(0, size.x);
+  const PixelArea shown{{columns.x, 0}, {columns.y, size.y}};
 
   if (isData(request.aov)) {
     DisplayPass::drawData(m_shaders, m_messages, request.aov, valueRange(request.aov, frame.scene, request.camera),
-                          image, weight, size);
+                          image, weight, size, shown);
     return;
   }
   DisplayInput input;
   input.image = &image;
   input.weight = weight;
   input.exact = request.exactDisplay;
+  input.shown = shown;
   // Until a still picture has enough samples of its own to be smooth, it is smoothed like a moving one: no flicker at
   // rest.
   constexpr int kSmoothSamples = 4;
   if (!request.exactDisplay && (request.moving ? !frame.multisampled : m_samples < kSmoothSamples)) {
-    const bool isOnlyModel = !hasVisibleLamps(frame.scene);
+    const bool isOnlyModel = !hasVisibleLamps(frame.scene) && !request.references.balls && !request.references.chart;
     input.edgeFilter = isOnlyModel ? screenArea(frame.camera, frame.resources.bounds(), request.size)
                                    : PixelArea{glm::ivec2(0), request.size};
   }
@@ -303,7 +316,8 @@ Image Frame::readView(Aov aov, const ResolvedScene* scene, const ViewSettings& v
   const gl::Texture& sums = m_targets.sum(which);
   const float weight = 1.0F / static_cast<float>(m_samples);
   if (isData(aov)) {
-    DisplayPass::drawData(m_shaders, m_messages, aov, valueRange(aov, *scene, m_stillKey.camera), sums, weight, size);
+    DisplayPass::drawData(m_shaders, m_messages, aov, valueRange(aov, *scene, m_stillKey.camera), sums, weight, size,
+                          {{0, 0}, size});
   } else {
     DisplayInput input;
     input.image = &sums;
@@ -334,6 +348,26 @@ std::optional<glm::vec3> Frame::pickPosition(glm::ivec2 pixel) const {
   const glm::vec2 clip = (glm::vec2(pixel.x, row) + 0.5F) / glm::vec2(size) * 2.0F - 1.0F;
   const glm::vec4 world = m_lastCamera.inverseViewProjection * glm::vec4(clip, depth, 1.0F);
   return glm::vec3(world) / world.w;
+}
+
+std::optional<PixelReadout> Frame::readPixel(glm::ivec2 pixel, const ViewSettings& view) {
+  const glm::ivec2 size = m_targets.size();
+  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
+  const int row = size.y - 1 - pixel.y;
+  const bool fromSums = m_showsSums && m_samples > 0 && m_targets.summed(SceneImage::Beauty);
+  const auto texel = [&](const gl::Texture& image) {
+    glm::vec4 value(0.0F);
+    glGetTextureSubImage(image.id(), 0, pixel.x, row, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof value, &value[0]);
+    return value;
+  };
+  PixelReadout readout;
+  readout.radiance = fromSums ? texel(m_targets.sum(SceneImage::Beauty)) / static_cast<float>(m_samples)
+                              : texel(m_targets.image(SceneImage::Beauty));
+  readout.display = m_display.encoded(readout.radiance, view, m_messages);
+  if (m_targets.has(SceneImage::Geometry))
+    if (const float thickness = texel(m_targets.image(SceneImage::Geometry)).w; thickness > 0.0F)
+      readout.thicknessMm = thickness;
+  return readout;
 }
 
 std::vector<PassTime> Frame::passTimes() {

@@ -32,6 +32,7 @@ class Frame {
   [[nodiscard]] Image readAov(Aov aov) const;
   [[nodiscard]] Image readView(Aov aov, const ResolvedScene* scene, const ViewSettings& view, PixelType type);
   [[nodiscard]] std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) const;
+  [[nodiscard]] std::optional<PixelReadout> readPixel(glm::ivec2 pixel, const ViewSettings& view);
   [[nodiscard]] std::vector<PassTime> passTimes();
   void timePassesAlone() { m_timer.timeAlone(); }
   [[nodiscard]] std::uint64_t displayProgramsBuilt() const { return m_display.built(); }
@@ -45,6 +46,7 @@ class Frame {
     bool precise = false;
     double seconds = 0.0;
     bool withoutSubsurface = false;
+    ReferenceObjects references;
     std::uint64_t revision = 0;
     bool operator==(const StillKey&) const = default;
   };
@@ -69,6 +71,7 @@ class Frame {
   int m_targetSamples = 1;
   CameraMatrices m_lastCamera;
   bool m_lastMultisampled = false;
+  bool m_showsSums = false;  ///< what is shown is the mean of m_samples
 };
 
 }  // namespace dermis

@@ -62,8 +62,8 @@ class GlRenderer final : public Renderer {
     Warnings messages;
     m_resources.upload(m_statistics, messages);
     for (const std::string& message : messages) m_messages.say(message);
-    const std::uint64_t revision =
-        m_sceneRevision + m_resources.environmentRevision() + m_resources.meshBakeRevision() + m_shaderRevision;
+    const std::uint64_t revision = m_sceneRevision + m_resources.environmentRevision() +
+                                   m_resources.meshBakeRevision() + m_resources.textureRevision() + m_shaderRevision;
     return m_frame.draw(request, m_resources, revision, m_statistics);
   }
 
@@ -103,6 +103,9 @@ class GlRenderer final : public Renderer {
     return m_frame.readView(aov, m_resources.scene(), view, type);
   }
   std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) override { return m_frame.pickPosition(pixel); }
+  std::optional<PixelReadout> readPixel(glm::ivec2 pixel, const ViewSettings& view) override {
+    return m_frame.readPixel(pixel, view);
+  }
 
   const GlInfo& glInfo() const override { return m_info; }
   RenderStatistics statistics() const override {

@@ -52,6 +52,14 @@ struct RendererOptions {
   bool timePassesAlone = false;  ///< benchmarks: each pass is waited for, and its CPU time is that of all threads
 };
 
+/// Things of known reflectance in the lower left of the picture, lit as if they stood in the middle of the model: to
+/// judge light and exposure by. Drawn over the picture, nothing shadows them.
+struct ReferenceObjects {
+  bool balls = false;  ///< a grey one (albedo 0.18) and a chrome one
+  bool chart = false;  ///< the 24 patches of a colour chart, facing the camera
+  bool operator==(const ReferenceObjects&) const = default;
+};
+
 /// One frame to draw.
 struct FrameRequest {
   glm::ivec2 size{1280, 720};
@@ -65,6 +73,8 @@ struct FrameRequest {
   double seconds = 0.0;            ///< time for the lights' animation
   unsigned framebuffer = 0;        ///< GL framebuffer to put the displayed picture in; 0 without a window: none
   glm::ivec2 displaySize{0};       ///< of that framebuffer, where the picture is drawn smaller and enlarged; 0: size
+  glm::ivec2 displayColumns{0};    ///< from, up to: the framebuffer's columns that are drawn; 0, 0: all of them
+  ReferenceObjects references;
 };
 
 /// Counters of what was really done, for tests and the statistics line; cumulative since create().
@@ -75,6 +85,14 @@ struct RenderStatistics {
   std::uint64_t texturesReleased = 0, shadowMapsDrawn = 0, diffusionKernelsMade = 0;
   std::size_t residentTextures = 0, triangles = 0;
   int samples = 0, targetSamples = 0;  ///< of the picture shown last
+  glm::ivec2 pictureSize{0};           ///< pixels that the picture shown last was drawn with
+};
+
+/// What one pixel of the picture holds.
+struct PixelReadout {
+  glm::vec4 radiance{0.0F};          ///< scene-linear Rec.709, premultiplied, mean of the samples so far
+  glm::vec3 display{0.0F};           ///< the same as encoded by the view, 0..1
+  std::optional<float> thicknessMm;  ///< where the shading model uses one
 };
 
 /// GPU and CPU milliseconds of one pass of the last frame; CPU is the time to submit it unless passes are timed alone.
@@ -123,6 +141,9 @@ class Renderer {
 
   /// World position under a pixel (counted from the top left) of the last frame; nothing where there is only sky.
   [[nodiscard]] virtual std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) = 0;
+
+  /// What a pixel (counted from the top left) of the last frame holds; nothing outside it.
+  [[nodiscard]] virtual std::optional<PixelReadout> readPixel(glm::ivec2 pixel, const ViewSettings& view) = 0;
 
   [[nodiscard]] virtual const GlInfo& glInfo() const = 0;
   [[nodiscard]] virtual RenderStatistics statistics() const = 0;

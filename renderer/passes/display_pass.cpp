@@ -1,5 +1,6 @@
 #include "passes/display_pass.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -132,9 +133,11 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
               static_cast<float>(imageSize.y));
   glEnable(GL_SCISSOR_TEST);
   for (const PixelArea& area : areas) {
-    const glm::ivec2 extent = area.upper - area.lower;
+    const PixelArea shown = input.shown.value_or(area);
+    const glm::ivec2 lower = glm::max(area.lower, shown.lower);
+    const glm::ivec2 extent = glm::min(area.upper, shown.upper) - lower;
     if (extent.x <= 0 || extent.y <= 0) continue;
-    glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
+    glScissor(lower.x, lower.y, extent.x, extent.y);
     gl::drawFullScreen();
   }
   glDisable(GL_SCISSOR_TEST);
@@ -143,7 +146,7 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
 
 void DisplayPass::drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov aov,
                            const std::optional<ValueRange>& range, const gl::Texture& image, float weight,
-                           glm::ivec2 size) {
+                           glm::ivec2 size, const PixelArea& shown) {
   gl::ProgramSources sources;
   sources.vertex = "full_screen.vert";
   sources.fragment = "aov.frag";
@@ -165,7 +168,20 @@ void DisplayPass::drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(shown.lower.x, shown.lower.y, std::max(shown.upper.x - shown.lower.x, 0),
+            std::max(shown.upper.y - shown.lower.y, 0));
   gl::drawFullScreen();
+  glDisable(GL_SCISSOR_TEST);
+}
+
+glm::vec3 DisplayPass::encoded(const glm::vec4& scene, const ViewSettings& settings, MessageLog& messages) {
+  const View* view = viewFor(settings, messages);
+  if (view == nullptr) return glm::vec3(0.0F);
+  const glm::vec3 straight = scene.a > 0.0F ? glm::vec3(scene) / scene.a : glm::vec3(scene);
+  glm::vec4 value(straight * (view->transform->isRaw() ? 1.0F : std::exp2(settings.exposureStops)), 1.0F);
+  view->transform->apply(&value[0], 1);
+  return glm::clamp(glm::vec3(value), glm::vec3(0.0F), glm::vec3(1.0F));
 }
 
 }  // namespace dermis

@@ -24,6 +24,7 @@ struct DisplayInput {
   std::optional<PixelArea> edgeFilter;  ///< where stair steps are smoothed, pixels of the image
   bool straightAlpha = false;           ///< unassociated, for files; else premultiplied, for windows
   bool dither = false;                  ///< for 8-bit targets
+  std::optional<PixelArea> shown;       ///< of the target; nothing else of it is touched
 };
 
 /// Keeps the views in use ready: their programs' text and textures.
@@ -36,7 +37,11 @@ class DisplayPass {
 
   /// Shows an image that is not radiance in the framebuffer that is bound. `range` is valueRange(aov, …).
   static void drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov aov,
-                       const std::optional<ValueRange>& range, const gl::Texture& image, float weight, glm::ivec2 size);
+                       const std::optional<ValueRange>& range, const gl::Texture& image, float weight, glm::ivec2 size,
+                       const PixelArea& shown);
+
+  /// What draw() would show of one premultiplied scene value, 0..1 and unassociated, by the view's own program.
+  [[nodiscard]] glm::vec3 encoded(const glm::vec4& scene, const ViewSettings& view, MessageLog& messages);
 
   [[nodiscard]] std::uint64_t built() const { return m_built; }
 

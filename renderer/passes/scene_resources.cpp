@@ -95,6 +95,7 @@ bool SceneResources::setScene(std::shared_ptr<const ResolvedScene> scene, gl::Jo
   const bool changed = !m_scene || !scene || !samePicture(*m_scene, *scene);
   m_scene = std::move(scene);
   m_stale = true;
+  if (m_scene) requestTextures(jobs);
   if (m_scene && m_options.bakeMeshes) m_meshBakes.want(*m_scene, m_options.cacheFolder, jobs);
   if (!m_scene || !m_scene->environment) return changed;
 
@@ -122,14 +123,54 @@ bool SceneResources::setScene(std::shared_ptr<const ResolvedScene> scene, gl::Jo
   return changed;
 }
 
+namespace {
+
+/// How a slot's map is read. The thesis decodes its albedo in the shader. An 8-bit map keeps its sRGB format and is
+/// bound with a sampler that doesn't decode, so that switching the shading model uploads nothing; others have no such
+/// format.
+TextureBinding readAs(const ResolvedMaterial& source, TextureSlot kind) {
+  TextureBinding binding = source.material.texture(kind);
+  const auto& image = source.images.at(static_cast<std::size_t>(kind));
+  const bool decodesItself = source.material.model == ShadingModel::Thesis && kind == TextureSlot::Albedo;
+  if (image && decodesItself && image->type != PixelType::U8) binding.colorSpace = "raw";
+  return binding;
+}
+
+}  // namespace
+
+void SceneResources::requestTextures(gl::JobQueue& jobs) {
+  if (!m_scene->model->hasUvs) return;
+  bool any = false;
+  for (const ResolvedMaterial& slot : m_scene->slots)
+    for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
+      const auto kind = static_cast<TextureSlot>(i);
+      if (slot.images.at(i) && m_textures.request(slot.images.at(i), readAs(slot, kind), kind, m_textureMessages))
+        any = true;
+    }
+  if (!any) return;
+  auto step = [this]() -> Result<bool> {
+    const bool done = m_textures.step(m_textureMessages);
+    if (done) {
+      m_stale = true;
+      ++m_textureRevision;
+    }
+    return done;
+  };
+  jobs.add("textures", gl::makeJob("Sending maps to the graphics driver", std::move(step),
+                                   [this] { return m_textures.fraction(); }));
+}
+
 void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
   if (!m_scene) return;
   if (m_geometry && m_model == m_scene->model) uploadBake();
   if (!m_stale) return;
   m_stale = false;
+  messages.insert(messages.end(), m_textureMessages.begin(), m_textureMessages.end());
+  m_textureMessages.clear();
   if (m_model != m_scene->model) {
     m_geometry = Geometry::upload(*m_scene->model);
     m_model = m_scene->model;
+    m_slots.clear();  // another model's maps must not stand in for this one's
     m_bake = nullptr;
     uploadBake();
     ++statistics.geometryUploads;
@@ -167,6 +208,16 @@ int presentMaps(const ResolvedScene& scene, std::size_t slot) {
   return bits;
 }
 
+std::shared_ptr<const gl::Texture> SceneResources::standIn(TextureSlot kind) {
+  const bool normal = kind == TextureSlot::Normal || kind == TextureSlot::DetailNormal;
+  const std::array<float, 4> texel =
+      normal ? std::array<float, 4>{0.5F, 0.5F, 1.0F, 1.0F} : std::array<float, 4>{0.5F, 0.5F, 0.5F, 1.0F};
+  auto texture = std::make_shared<gl::Texture>(
+      gl::Texture::create({.format = GL_RGBA16F, .width = 1, .height = 1, .label = "a map on its way"}));
+  texture->upload(0, GL_RGBA, GL_FLOAT, texel.data());
+  return texture;
+}
+
 void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages) {
   const ResolvedMaterial& source = m_scene->slots[index];
   SlotResources& slot = m_slots[index];
@@ -189,14 +240,12 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   const bool hasUvs = m_scene->model->hasUvs;
   for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
     const auto kind = static_cast<TextureSlot>(i);
-    TextureBinding binding = source.material.texture(kind);
+    const TextureBinding binding = readAs(source, kind);
     draw.maps.at(i) = packMap(kind, binding);
     if (!source.images.at(i) || !hasUvs) continue;
-    // The thesis decodes its albedo in the shader. An 8-bit map keeps its sRGB format and is bound with a sampler that
-    // doesn't decode, so that switching the shading model uploads nothing; others have no such format.
-    const bool decodesItself = slot.model == ShadingModel::Thesis && kind == TextureSlot::Albedo;
-    if (decodesItself && source.images.at(i)->type != PixelType::U8) binding.colorSpace = "raw";
     textures.at(i) = m_textures.get(source.images.at(i), binding, kind, messages);
+    // Until a large map has arrived, the one before it stays.
+    if (!textures.at(i)) textures.at(i) = slot.textures.at(i) ? slot.textures.at(i) : standIn(kind);
     if (binding.flipGreen) draw.mapBits.y |= 1 << i;
   }
   slot.displaced = displaces(*m_scene, index);

@@ -79,16 +79,25 @@ class SceneResources {
   /// Grows whenever more is known of the model's vertices.
   [[nodiscard]] std::uint64_t meshBakeRevision() const { return m_meshBakes.revision(); }
 
+  /// Grows whenever maps that were on their way have arrived.
+  [[nodiscard]] std::uint64_t textureRevision() const { return m_textureRevision; }
+
   /// Forgets what jobs were for: another environment or model asks again.
   void jobsCancelled() {
     m_wantedEnvironment = m_environmentOf;
     m_meshBakes.cancelled();
+    m_textures.forgetPending();
+    m_stale = true;
   }
   [[nodiscard]] std::uint64_t environmentsBaked() const { return m_environmentsBaked; }
   [[nodiscard]] std::uint64_t environmentsFromCache() const { return m_environmentsFromCache; }
   [[nodiscard]] Warnings takeEnvironmentWarnings() { return std::exchange(m_environmentWarnings, {}); }
 
  private:
+  /// Queues what is too large to be uploaded by a frame.
+  void requestTextures(gl::JobQueue& jobs);
+  /// In place of a map that is on its way and has nothing before it.
+  [[nodiscard]] static std::shared_ptr<const gl::Texture> standIn(TextureSlot kind);
   void uploadBake();
   void uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages);
 
@@ -105,6 +114,8 @@ class SceneResources {
   std::vector<SlotResources> m_slots;
   DiffusionKernels m_kernels;
   TextureCache m_textures;
+  std::uint64_t m_textureRevision = 0;
+  Warnings m_textureMessages;
   gl::Sampler m_rawSampler;  ///< skips sRGB decoding: the thesis decodes its albedo itself
   bool m_canSkipDecode = false;
 

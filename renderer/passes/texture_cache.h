@@ -1,8 +1,11 @@
 // Material maps on the GPU: each image once for each way of reading its colours, dropped when no material uses it.
 #pragma once
 
+#include <deque>
+#include <future>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -10,6 +13,7 @@
 #include "core/image/image.h"
 #include "core/material/texture_slot.h"
 #include "gl/gl_objects.h"
+#include "passes/texture_upload.h"
 
 namespace dermis {
 
@@ -18,9 +22,21 @@ class TextureCache {
   /// `maximumSize` 0: what the driver takes. `anisotropy`: samples along the long side of a pixel's footprint.
   TextureCache(int maximumSize, float anisotropy);
 
-  /// The image as a texture with mips, uploaded at the first call. sRGB colour is decoded by the texture's format;
-  /// 16-bit and float images in sRGB or another colour space are converted to linear Rec.709 here. Images larger than
-  /// the limit are averaged down, with a message.
+  /// Large images are made ready beside and sent in slices, so that no frame waits for them: asks for one. True where
+  /// step() has something to do for it; false where it is there, or small enough to be uploaded by get().
+  bool request(const std::shared_ptr<const Image>& image, const TextureBinding& binding, TextureSlot slot,
+               Warnings& messages);
+  [[nodiscard]] bool pending() const { return !m_pending.empty(); }
+  /// A slice of what was asked for; true when nothing is left.
+  bool step(Warnings& messages);
+  /// 0..1 of all that has been asked for since nothing was.
+  [[nodiscard]] double fraction() const;
+  /// Drops what was asked for and isn't there.
+  void forgetPending();
+
+  /// The image as a texture with mips, uploaded at the first call; null while it is pending. sRGB colour is decoded by
+  /// the texture's format; 16-bit and float images in sRGB or another colour space are converted to linear Rec.709
+  /// here. Images larger than the limit are averaged down, with a message.
   [[nodiscard]] std::shared_ptr<const gl::Texture> get(const std::shared_ptr<const Image>& image,
                                                        const TextureBinding& binding, TextureSlot slot,
                                                        Warnings& messages);
@@ -42,9 +58,20 @@ class TextureCache {
     std::shared_ptr<const Image> image;  ///< held, so that its address stays its name
     std::shared_ptr<const gl::Texture> texture;
   };
+  struct Pending {
+    Key key;
+    std::shared_ptr<const Image> image;
+    TextureRecipe recipe;
+    std::future<PreparedTexture> prepared;
+    std::optional<TextureUpload> upload;
+  };
+  [[nodiscard]] static TextureRecipe recipeFor(const Image& image, const TextureBinding& binding, TextureSlot slot,
+                                               Warnings& messages);
   [[nodiscard]] static Key keyOf(const Image& image, const TextureBinding& binding, TextureSlot slot);
 
   std::map<Key, Entry> m_entries;
+  std::deque<Pending> m_pending;
+  std::size_t m_asked = 0;  ///< since nothing was pending
   int m_maximumSize;
   float m_anisotropy;
   std::uint64_t m_uploaded = 0, m_released = 0;

@@ -1,6 +1,7 @@
 #include "passes/texture_pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -191,6 +192,63 @@ Image reduced(const Image& image, int maximumSize, bool srgb) {
         const std::size_t pixel =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
         store(out, pixel * channels + c, decode ? srgbFromLinear(mean) : mean);
+      }
+    }
+  }
+  return out;
+}
+
+namespace {
+
+/// Both ways between 8-bit sRGB codes and linear light, for images of many millions of them.
+struct SrgbTables {
+  static constexpr std::size_t kSteps = 16384;  // a step is a fifteenth of the darkest code's width
+  std::array<float, 256> linear{};
+  std::array<std::uint8_t, kSteps + 1> code{};
+  SrgbTables() {
+    for (std::size_t i = 0; i < linear.size(); ++i) linear.at(i) = linearFromSrgb(static_cast<float>(i) / 255.0F);
+    for (std::size_t i = 0; i <= kSteps; ++i)
+      code.at(i) = static_cast<std::uint8_t>(
+          std::lround(srgbFromLinear(static_cast<float>(i) / static_cast<float>(kSteps)) * 255.0F));
+  }
+};
+
+}  // namespace
+
+Image halved(const Image& image, bool srgb) {
+  static const SrgbTables kTables;
+  const int width = std::max(1, image.width / 2);
+  const int height = std::max(1, image.height / 2);
+  Image out = emptyLike(image, width, height, image.channels, image.type);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const bool bytes = image.type == PixelType::U8;
+  const auto* from = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
+  auto* to = reinterpret_cast<std::uint8_t*>(out.pixels.data());
+  std::size_t next = 0;
+  for (int y = 0; y < height; ++y) {
+    const auto row0 =
+        static_cast<std::size_t>(std::min(2 * y, image.height - 1)) * static_cast<std::size_t>(image.width);
+    const auto row1 =
+        static_cast<std::size_t>(std::min(2 * y + 1, image.height - 1)) * static_cast<std::size_t>(image.width);
+    for (int x = 0; x < width; ++x) {
+      const auto x0 = static_cast<std::size_t>(std::min(2 * x, image.width - 1));
+      const auto x1 = static_cast<std::size_t>(std::min(2 * x + 1, image.width - 1));
+      const std::size_t taps[4] = {(row0 + x0) * channels, (row0 + x1) * channels, (row1 + x0) * channels,
+                                   (row1 + x1) * channels};
+      for (std::size_t c = 0; c < channels; ++c, ++next) {
+        const bool decode = srgb && isColourChannel(static_cast<int>(c), image.channels);
+        if (bytes && !decode) {
+          const int sum = from[taps[0] + c] + from[taps[1] + c] + from[taps[2] + c] + from[taps[3] + c];
+          to[next] = static_cast<std::uint8_t>((sum + 2) / 4);
+        } else if (bytes) {
+          float sum = 0.0F;
+          for (const std::size_t tap : taps) sum += kTables.linear[from[tap + c]];
+          to[next] = kTables.code[static_cast<std::size_t>(0.25F * sum * SrgbTables::kSteps + 0.5F)];
+        } else {
+          float sum = 0.0F;
+          for (const std::size_t tap : taps) sum += load(image, tap + c);
+          store(out, next, 0.25F * sum);
+        }
       }
     }
   }

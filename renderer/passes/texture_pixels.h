@@ -22,4 +22,7 @@ namespace dermis {
 /// Averaged down by whole pixels until neither side is over `maximumSize`; for `srgb` the average is of linear light.
 [[nodiscard]] Image reduced(const Image& image, int maximumSize, bool srgb);
 
+/// The next mip: half as large (rounded down, at least 1), each pixel the mean of four; for `srgb` of linear light.
+[[nodiscard]] Image halved(const Image& image, bool srgb);
+
 }  // namespace dermis

@@ -7,6 +7,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
@@ -17,15 +18,25 @@ class ScreenshotDialog : public QDialog {
   Q_OBJECT
  public:
   /// `viewport`: the size offered as the window's own.
-  ScreenshotDialog(const glm::ivec2& viewport, const QString& view, QWidget* parent);
+  ScreenshotDialog(const glm::ivec2& viewport, const QString& view, const ReferenceObjects& references,
+                   QWidget* parent);
+  /// Its path is empty where the picture goes to the clipboard.
   [[nodiscard]] PictureRequest request() const;
 
  private:
   void choosePreset(int index);
   void chooseFile();
   void refresh();
+  void buildChoices(QFormLayout* form, const QString& view, const ReferenceObjects& references);
 
   glm::ivec2 m_viewport{0};
+  bool m_toClipboard = false;
+  QComboBox* m_kind = nullptr;
+  QSpinBox* m_frames = nullptr;
+  QComboBox* m_view = nullptr;
+  QCheckBox* m_references = nullptr;
+  ReferenceObjects m_shownReferences;
+  QPushButton* m_copy = nullptr;
   QComboBox* m_preset = nullptr;
   QSpinBox* m_width = nullptr;
   QSpinBox* m_height = nullptr;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/scene/cameras.h"
+#include "ui/docks/bookmarks_box.h"
 #include "ui/docks/labelled.h"
 #include "ui/document/document.h"
 #include "ui/rows/choice_editors.h"
@@ -75,6 +76,9 @@ void CameraPanel::buildViews() {
     connect(button, &QPushButton::clicked, this, [this, id = text(row.id)] { Q_EMIT viewRequested(id); });
   }
   group->addRow(holder);
+  GroupBox* kept = addGroup(tr("Bookmarks"), QStringLiteral("camera/bookmarks"));
+  m_bookmarks = new BookmarksBox(m_document, kept);
+  kept->addRow(m_bookmarks);
 }
 
 void CameraPanel::buildDisplay() {

@@ -11,6 +11,7 @@ class QLabel;
 
 namespace dermis {
 
+class BookmarksBox;
 class Document;
 class PropertyRow;
 
@@ -19,6 +20,7 @@ class CameraPanel : public Panel {
  public:
   explicit CameraPanel(Document& document, QWidget* parent = nullptr);
   void showAov(Aov aov);
+  [[nodiscard]] BookmarksBox* bookmarks() const { return m_bookmarks; }
 
  Q_SIGNALS:
   void viewRequested(const QString& namedCamera);
@@ -32,6 +34,7 @@ class CameraPanel : public Panel {
   void refresh();
 
   Document& m_document;
+  BookmarksBox* m_bookmarks = nullptr;
   PropertyRow* m_orthographic = nullptr;
   PropertyRow* m_fov = nullptr;
   PropertyRow* m_height = nullptr;

@@ -89,7 +89,10 @@ void LightsPanel::buildList() {
   strip()->addWidget(m_list);
   strip()->addLayout(line);
   connect(m_remove, &QToolButton::clicked, this, &LightsPanel::removeSelected);
-  connect(m_list, &QListWidget::currentRowChanged, this, &LightsPanel::refreshEditors);
+  connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
+    refreshEditors();
+    Q_EMIT selectionChanged(row);
+  });
   connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     const auto index = static_cast<std::size_t>(m_list->row(item));
     if (index >= m_document.scene().lights.size()) return;
@@ -226,6 +229,8 @@ void LightsPanel::addLight(LightType type) {
   m_document.addLight(light);
   m_list->setCurrentRow(m_list->count() - 1);
 }
+
+void LightsPanel::select(int light) { m_list->setCurrentRow(light); }
 
 void LightsPanel::removeSelected() {
   if (const int index = selected(); index >= 0) m_document.removeLight(static_cast<std::size_t>(index));

@@ -22,6 +22,11 @@ class LightsPanel : public Panel {
   explicit LightsPanel(Document& document, QWidget* parent = nullptr);
   void addLight(LightType type);
   void removeSelected();
+  /// -1: none.
+  void select(int light);
+
+ Q_SIGNALS:
+  void selectionChanged(int light);
 
  private:
   struct Entry {

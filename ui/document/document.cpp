@@ -323,6 +323,14 @@ void Document::setLens(const Lens& lens, Gesture gesture) {
          });
 }
 
+void Document::setBookmarks(const std::vector<CameraBookmark>& bookmarks, const QString& text) {
+  commit(text, QStringLiteral("bookmarks"), 0, m_now.scene.bookmarks, bookmarks,
+         [this](const std::vector<CameraBookmark>& next) {
+           m_now.scene.bookmarks = next;
+           tell(Change::Bookmarks);
+         });
+}
+
 void Document::setCamera(const Camera& camera) {
   if (camera == m_now.camera) return;
   m_now.camera = camera;
@@ -366,6 +374,15 @@ void Document::openModel(const ModelSource& source, std::shared_ptr<const Model>
       source.path.empty() ? source.builtin : std::filesystem::path(source.path).filename().string());
   commit(tr("Open model %1").arg(name), QStringLiteral("model"), 0, m_now, std::move(after),
          [this](const WholeLook& whole) { applyWhole(whole); });
+}
+
+void Document::restoreLook(const WholeLook& look, const QString& text) {
+  if (look.scene == m_now.scene && look.model == m_now.model && look.environment == m_now.environment) return;
+  commit(text, QStringLiteral("look"), 0, m_now, look, [this](const WholeLook& whole) {
+    WholeLook next = whole;
+    next.camera = m_now.camera;  // navigation is not part of a look
+    applyWhole(next);
+  });
 }
 
 void Document::replace(const ResolvedScene& scene, const std::filesystem::path& path) {

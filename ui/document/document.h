@@ -14,7 +14,7 @@
 namespace dermis {
 
 /// What has changed; panels refresh what concerns them.
-enum class Change { Everything, Material, Environment, Lights, View, Lens, Camera, Unit };
+enum class Change { Everything, Material, Environment, Lights, View, Lens, Camera, Unit, Bookmarks };
 
 struct ParameterEdit {
   QString slot;
@@ -91,6 +91,12 @@ class Document : public QObject {
   void setLens(const Lens& lens, Gesture gesture);
   /// How large the model is. Lamps keep their size beside it, as if it had been opened so.
   void setMillimetresPerUnit(float millimetres, Gesture gesture);
+  /// Named cameras; `text` names the undo entry.
+  void setBookmarks(const std::vector<CameraBookmark>& bookmarks, const QString& text);
+  /// Another look on the same document: a stored snapshot put back, model and all, as one undo entry.
+  void restoreLook(const WholeLook& look, const QString& text);
+  /// The whole of it as it is now, to be kept and restored.
+  [[nodiscard]] const WholeLook& wholeLook() const { return m_now; }
   /// Another model: slots of the same name keep their look, the others wear `imported`; lights and camera are carried
   /// over by the ratio of the bounds.
   void openModel(const ModelSource& source, std::shared_ptr<const Model> model, std::vector<ResolvedMaterial> imported);

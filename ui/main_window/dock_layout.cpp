@@ -66,11 +66,13 @@ void DockLayout::arrange() {
   put(Qt::RightDockWidgetArea, "material");
   put(Qt::RightDockWidgetArea, "textures");
   m_window.tabifyDockWidget(dock("material"), dock("textures"));
-  for (const char* name : {"log", "history"}) {
+  for (const char* name : {"log", "history", "snapshots", "reference"}) {
     m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(name));
     dock(name)->hide();
   }
   m_window.tabifyDockWidget(dock("log"), dock("history"));
+  m_window.tabifyDockWidget(dock("log"), dock("snapshots"));
+  m_window.tabifyDockWidget(dock("log"), dock("reference"));
   dock("environment")->raise();
   dock("material")->raise();
   m_window.resizeDocks({dock("presets"), dock("material")}, {kLeftWidth, kRightWidth}, Qt::Horizontal);

@@ -2,9 +2,9 @@
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
-#include <QOffscreenSurface>
 #include <QProgressBar>
 #include <QScreen>
 #include <QStandardPaths>
@@ -13,7 +13,6 @@
 #include <QVBoxLayout>
 
 #include "ui/browse/preset_list.h"
-#include "ui/dialogs/screenshot_dialog.h"
 #include "ui/docks/camera_panel.h"
 #include "ui/docks/diffusion_panel.h"
 #include "ui/docks/environment_panel.h"
@@ -24,11 +23,14 @@
 #include "ui/docks/presets_panel.h"
 #include "ui/docks/textures_panel.h"
 #include "ui/main_window/dock_layout.h"
+#include "ui/main_window/exports.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/model_unit_bar.h"
+#include "ui/main_window/picture_scenes.h"
 #include "ui/main_window/program_actions.h"
 #include "ui/main_window/safety_net.h"
+#include "ui/main_window/view_tools.h"
 #include "ui/text.h"
 #include "ui/viewport/viewport.h"
 
@@ -40,6 +42,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
   m_files = new FileActions(m_document, m_loading, this);
   m_safetyNet = new SafetyNet(m_document, m_loading, this);
+  m_exports = new Exports(m_document, m_tasks, *this);
+  m_pictures = new PictureScenes(m_document, m_tasks, *this);
   buildCentre();
   buildDocks();
   buildStatusBar();
@@ -63,7 +67,12 @@ void MainWindow::buildCentre() {
   m_unit = new ModelUnitBar(m_document, centre);
   column->addWidget(m_messages);
   column->addWidget(m_unit);
-  column->addWidget(m_viewport, 1);
+  m_tools = new ViewTools(m_document, m_tasks, *m_viewport, *this);
+  auto* row = new QHBoxLayout();
+  row->setSpacing(1);
+  row->addWidget(m_viewport, 1);
+  row->addWidget(m_tools->besideView(centre), 1);
+  column->addLayout(row, 1);
   setCentralWidget(centre);
 }
 
@@ -86,6 +95,8 @@ void MainWindow::buildDocks() {
   m_docks->add(tr("Texture maps"), QStringLiteral("textures"), m_textures);
   m_docks->add(tr("Log"), QStringLiteral("log"), m_log);
   m_docks->add(tr("History"), QStringLiteral("history"), new HistoryPanel(m_document.undoStack(), this));
+  m_tools->addDocks(*m_docks);
+  m_tools->connectPanels(*m_lights, *m_camera);
 }
 
 void MainWindow::buildStatusBar() {
@@ -119,6 +130,13 @@ void MainWindow::connectParts() {
   connect(&m_loading, &Loading::modelOpened, m_unit, qOverload<const QString&, const QString&>(&ModelUnitBar::ask));
   connect(&m_loading, &Loading::fileUsed, m_files, &FileActions::remember);
   connect(m_viewport, &Viewport::message, this, &MainWindow::tell);
+  connect(m_tools, &ViewTools::message, this, &MainWindow::tell);
+  connect(m_exports, &Exports::message, this, &MainWindow::tell);
+  connect(m_pictures, &PictureScenes::message, this, &MainWindow::tell);
+  connect(m_exports, &Exports::progressed, this, [this](double fraction) {
+    m_pictureFraction = fraction;
+    refreshActivity();
+  });
   connect(m_camera, &CameraPanel::problem, this,
           [this](const QString& sentence) { tell(MessageKind::Error, sentence); });
   connect(m_viewport, &Viewport::jobProgress, this, [this](const QString& what, double fraction) {
@@ -150,6 +168,8 @@ void MainWindow::connectParts() {
   connect(m_presets, &PresetsPanel::saveRequested, m_files, &FileActions::savePreset);
   connect(m_presets, &PresetsPanel::saveAsRequested, m_files, &FileActions::savePresetAs);
 }
+
+void MainWindow::setPictureMetadata(PictureMetadata metadata) { m_exports->setMetadata(std::move(metadata)); }
 
 void MainWindow::open(const std::vector<std::filesystem::path>& files) { m_loading.openAtStart(files); }
 
@@ -192,50 +212,9 @@ void MainWindow::refreshActivity() {
 // --- pictures
 // ---------------------------------------------------------------------------------------------------------
 
-void MainWindow::askForPicture() {
-  if (!m_document.isReady()) return;
-  const double ratio = m_viewport->devicePixelRatioF();
-  ScreenshotDialog dialog(
-      {static_cast<int>(m_viewport->width() * ratio), static_cast<int>(m_viewport->height() * ratio)},
-      text(m_document.scene().view.transform), this);
-  if (dialog.exec() == QDialog::Accepted) savePicture(dialog.request());
-}
+void MainWindow::askForPicture() { m_exports->ask(*m_viewport); }
 
-void MainWindow::savePicture(const PictureRequest& given) {
-  PictureRequest request = given;
-  request.sceneFolder = m_document.path().parent_path();
-  const std::shared_ptr<const ResolvedScene> scene = m_document.snapshot();
-  if (!scene) return;
-  auto surface = std::make_shared<QOffscreenSurface>();
-  surface->setFormat(QSurfaceFormat::defaultFormat());
-  surface->create();
-  const QString name = pathText(request.path.filename());
-  const std::filesystem::path cache =
-      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
-  m_pictureFraction = 0.0;
-  m_tasks.run(
-      QStringLiteral("picture"), tr("Drawing %1").arg(name),
-      [this, surface, scene, request, cache, metadata = m_metadata](std::stop_token stop) {
-        const auto progress = [this](double fraction) {
-          QMetaObject::invokeMethod(
-              this,
-              [this, fraction] {
-                m_pictureFraction = fraction;
-                refreshActivity();
-              },
-              Qt::QueuedConnection);
-        };
-        return drawPicture(*surface, scene, request, cache, metadata, progress, stop);
-      },
-      // The surface is held here too: it has to go on the thread it came from.
-      [this, surface, request](Result<void> result) {
-        m_pictureFraction = -1.0;
-        if (result)
-          tell(MessageKind::Info, tr("Saved %1").arg(pathText(request.path)));
-        else if (result.error().kind != Error::Kind::Cancelled)
-          tell(MessageKind::Error, text(result.error().message));
-      });
-}
+void MainWindow::savePicture(const PictureRequest& request) { m_exports->draw(request); }
 
 // --- closing and dropping
 // ---------------------------------------------------------------------------------------------
@@ -262,8 +241,17 @@ void MainWindow::dropEvent(QDropEvent* event) {
     m_presets->apply(preset, m_document.currentSlot());
     return;
   }
-  for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile()) m_files->open(url.toLocalFile());
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (!url.isLocalFile()) continue;
+    const QString path = url.toLocalFile();
+    const FileKind kind = fileKind(toPath(path));
+    const bool picture = kind == FileKind::Image || path.endsWith(QLatin1String(".exr"), Qt::CaseInsensitive);
+    if (picture)
+      m_pictures->offer(
+          toPath(path), [this] { return m_files->mayDiscard(); }, [this, path] { m_files->open(path); });
+    else
+      m_files->open(path);
+  }
 }
 
 }  // namespace dermis

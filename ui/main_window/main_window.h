@@ -24,16 +24,19 @@ class CameraPanel;
 class DiffusionPanel;
 class DockLayout;
 class EnvironmentPanel;
+class Exports;
 class FileActions;
 class LightsPanel;
 class LogPanel;
 class MaterialPanel;
 class MessageBar;
 class ModelUnitBar;
+class PictureScenes;
 class PresetsPanel;
 class ProgramActions;
 class SafetyNet;
 class TexturesPanel;
+class ViewTools;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -44,7 +47,7 @@ class MainWindow : public QMainWindow {
 
   /// The embedded look, or what the files say.
   void open(const std::vector<std::filesystem::path>& files);
-  void setPictureMetadata(PictureMetadata metadata) { m_metadata = std::move(metadata); }
+  void setPictureMetadata(PictureMetadata metadata);
   void savePicture(const PictureRequest& request);
   /// Opens any file by its kind; a scene asks about unsaved changes first.
   void openFile(const QString& path);
@@ -53,6 +56,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Loading& loading() { return m_loading; }
   [[nodiscard]] TaskRunner& tasks() { return m_tasks; }
   [[nodiscard]] Viewport* viewport() const { return m_viewport; }
+  [[nodiscard]] ViewTools* viewTools() const { return m_tools; }
   [[nodiscard]] FileActions* fileActions() const { return m_files; }
   [[nodiscard]] Preferences& preferences() { return m_preferences; }
   [[nodiscard]] ProgramActions* programActions() const { return m_program; }
@@ -88,13 +92,15 @@ class MainWindow : public QMainWindow {
   Document m_document;
   TaskRunner m_tasks;
   Loading m_loading{m_document, m_tasks};
-  PictureMetadata m_metadata;
   Preferences m_preferences;
   FileActions* m_files = nullptr;
   SafetyNet* m_safetyNet = nullptr;
   ProgramActions* m_program = nullptr;
+  Exports* m_exports = nullptr;
+  PictureScenes* m_pictures = nullptr;
   DockLayout* m_docks = nullptr;
   Viewport* m_viewport = nullptr;
+  ViewTools* m_tools = nullptr;
   MessageBar* m_messages = nullptr;
   ModelUnitBar* m_unit = nullptr;
   MaterialPanel* m_material = nullptr;

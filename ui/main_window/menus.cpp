@@ -15,6 +15,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/model_unit_bar.h"
 #include "ui/main_window/program_actions.h"
+#include "ui/main_window/view_tools.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
 #include "ui/viewport/hold_key.h"
@@ -108,6 +109,7 @@ void MainWindow::buildViewMenu() {
   }
   menu->addSeparator();
   buildViewModes(menu);
+  m_tools->fillViewMenu(menu);
   menu->addSeparator();
   QAction* statistics = add(menu, nullptr, tr("S&tatistics"), {}, this, [this](bool on) {
     PreferenceValues values = m_preferences.values();
@@ -154,6 +156,7 @@ void MainWindow::buildLightMenu() {
   add(menu, "sun", tr("Add &directional light"), {}, this, [this] { m_lights->addLight(LightType::Directional); });
   add(menu, "spot", tr("Add &spot light"), {}, this, [this] { m_lights->addLight(LightType::Spot); });
   add(menu, "remove", tr("&Remove selected light"), {}, this, [this] { m_lights->removeSelected(); });
+  m_tools->fillLightMenu(menu);
   menu->addSeparator();
   add(menu, "environment", tr("Choose &environment…"), {}, this, [this] { m_files->chooseEnvironment(); });
   add(menu, "reset", tr("Reset environment r&otation"), {}, this, [this] {

@@ -24,6 +24,7 @@ namespace dermis {
 ProgramActions::ProgramActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
   m_layouts = new Layouts(parts.docks, &parts.window);
   m_shortcuts.reserve(QKeySequence(Qt::Key_N), tr("Without subsurface, while it is held"));
+  m_shortcuts.reserve(QKeySequence(Qt::Key_L), tr("Moving the key light, while it is held"));
   connect(&m_parts.preferences, &Preferences::changed, this, &ProgramActions::apply);
 }
 

@@ -1,26 +1,27 @@
 #include "ui/viewport/viewport.h"
 
-#include <QMouseEvent>
+#include <QApplication>
 #include <QOpenGLContext>
 #include <QStandardPaths>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/scene/cameras.h"
 #include "ui/document/document.h"
 #include "ui/text.h"
+#include "ui/viewport/compared_picture.h"
 #include "ui/viewport/legend.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/overlay_canvas.h"
 #include "ui/viewport/view_modes.h"
 
 namespace dermis {
 namespace {
 
 constexpr double kJobSliceMs = 8.0;
-constexpr int kStillAfterMs = 120;  // full resolution within 150 ms of the last change
+constexpr int kStillAfterMs = 120;       // full resolution within 150 ms of the last change
+constexpr int kRestBeforeStillMs = 500;  // with a button held: slow samples would be in the way of what comes next
 constexpr int kEdge = 10;
 
 }  // namespace
@@ -30,7 +31,9 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   setAccessibleName(tr("Viewport"));
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(240, 180);
-  setMouseTracking(false);
+  setMouseTracking(true);
+  m_canvas = new OverlayCanvas([this] { return projection(); }, this);
+  qApp->installEventFilter(this);
   m_statistics = new OverlayLabel(this);
   m_statistics->setObjectName(QStringLiteral("viewport.statistics"));
   m_statistics->setAccessibleName(tr("Statistics"));
@@ -61,7 +64,7 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   m_fly.setInterval(16);
   connect(&m_fly, &QTimer::timeout, this, &Viewport::flyStep);
   connect(&m_document, &Document::changed, this, [this](Change what) {
-    if (what != Change::Everything) moving();
+    if (what != Change::Everything && what != Change::Bookmarks) moving();
     refreshLegend();
     update();
   });
@@ -69,7 +72,7 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
     if (!m_frameClock.isValid()) return;
     const double milliseconds = static_cast<double>(m_frameClock.nsecsElapsed()) * 1e-6;
     m_frameClock.invalidate();
-    if (m_wasMoving) m_pace.measured(milliseconds);
+    if (m_wasMoving && (m_wasScaled || m_pace.scale() == 1.0)) m_pace.measured(milliseconds);
     refreshStatistics(milliseconds);
   });
 }
@@ -82,12 +85,7 @@ Viewport::~Viewport() { releaseRenderer(); }
 void Viewport::initializeGL() {
   // Called again with a fresh context, for example when a window is torn off: everything on the GPU is made anew.
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer, Qt::UniqueConnection);
-  RendererOptions options;
-  options.cacheFolder =
-      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
-  options.bakeMeshes = true;
-  options.platform = "widget";
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(options);
+  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(rendererOptions());
   if (!renderer) {
     const QString sentence = text(renderer.error().message);
     showProblem(tr("There is no picture: %1").arg(sentence));
@@ -99,9 +97,19 @@ void Viewport::initializeGL() {
   m_firstFrame = true;
 }
 
+RendererOptions Viewport::rendererOptions() const {
+  RendererOptions options;
+  options.cacheFolder =
+      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  options.bakeMeshes = true;
+  options.platform = "widget";
+  return options;
+}
+
 void Viewport::releaseRenderer() {
   if (!m_renderer) return;
   makeCurrent();
+  m_compared.reset();
   m_renderer.reset();
   doneCurrent();
 }
@@ -120,17 +128,20 @@ void Viewport::paintGL() {
     scheduleNext();
     return;
   }
+  refreshCompared();
   drawFrame();
+  const bool settled = std::exchange(m_settling, false);
   // A slice of what is queued; when it was the last one, the picture is drawn again with what it made.
   const bool queued = !m_renderer->jobProgress().first.empty();
   m_jobsLeft = m_renderer->runJobs(kJobSliceMs);
-  if (queued && !m_jobsLeft)
+  if (m_compared && m_compared->runJobs(kJobSliceMs)) m_jobsLeft = true;
+  if (settled || (queued && !m_jobsLeft))
     m_next.start(0);
   else
     scheduleNext();
 }
 
-void Viewport::drawFrame() {
+FrameRequest Viewport::frameRequest() const {
   const double ratio = devicePixelRatioF();
   FrameRequest request;
   request.displaySize = {static_cast<int>(std::lround(width() * ratio)),
@@ -140,18 +151,29 @@ void Viewport::drawFrame() {
   request.view = m_document.scene().view;
   request.aov = m_aov;
   request.withoutSubsurface = m_withoutSubsurface;
-  request.moving = m_moving;
+  request.moving = m_moving || m_settling;
   request.targetSamples = animated() ? 1 : m_targetSamples;
   request.seconds = static_cast<double>(m_clock.elapsed()) * 1e-3;
   request.framebuffer = defaultFramebufferObject();
-  if (m_moving && m_renderer->glInfo().software) {
+  request.references = m_references;
+  if (m_moving && !m_resting && m_renderer->glInfo().software) {
     const double scale = m_pace.scale();
     request.size = {std::max(1, static_cast<int>(request.displaySize.x * scale)),
                     std::max(1, static_cast<int>(request.displaySize.y * scale))};
   }
+  return request;
+}
+
+void Viewport::drawFrame() {
+  FrameRequest request = frameRequest();
   m_frameClock.start();
   m_wasMoving = m_moving;
+  m_showsSamples = !request.moving;
+  m_wasScaled = request.size != request.displaySize;
+  const int column = splitColumn(request.displaySize.x);
+  if (column < request.displaySize.x) request.displayColumns = {0, std::max(column, 1)};
   const bool drawn = m_renderer->renderFrame(request);
+  if (m_compared) m_compared->draw(request, column);
   if (drawn && m_firstFrame) {
     m_firstFrame = false;
     // Hidden from the event loop: a widget doesn't hide its children while it paints.
@@ -175,7 +197,7 @@ void Viewport::scheduleNext() {
     m_next.start(0);
   else if (!m_moving && animated())
     m_next.start(16);
-  else if (!m_moving && m_renderer->accumulating())
+  else if (!m_moving && (m_renderer->accumulating() || (m_compared && m_compared->accumulating())))
     m_next.start(0);
 }
 
@@ -183,6 +205,7 @@ void Viewport::continueJobs() {
   if (!m_renderer) return;
   makeCurrent();
   m_jobsLeft = m_renderer->runJobs(kJobSliceMs);
+  if (m_compared && m_compared->runJobs(kJobSliceMs)) m_jobsLeft = true;
   const auto [what, fraction] = m_renderer->jobProgress();
   // What an earlier job made is shown while another goes on.
   if (m_renderer->drawable() && std::exchange(m_jobText, what) != what) update();
@@ -206,13 +229,29 @@ void Viewport::cancelJobs() {
 
 void Viewport::moving() {
   m_moving = true;
-  m_still.start();
+  m_resting = false;
+  m_still.start(kStillAfterMs);
 }
 
 void Viewport::still() {
   m_still.stop();
-  m_moving = false;
+  if (!m_moving) return;
+  if (QApplication::mouseButtons() != Qt::NoButton && !m_resting) {
+    m_resting = true;
+    m_still.start(kRestBeforeStillMs);
+  } else {
+    m_settling = m_wasScaled;
+    m_moving = false;
+    m_resting = false;
+  }
   update();
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+  // Whatever was dragged, a slider, a light, the camera: letting go ends it.
+  if (event->type() == QEvent::MouseButtonRelease && m_moving)
+    QMetaObject::invokeMethod(this, &Viewport::still, Qt::QueuedConnection);
+  return QOpenGLWidget::eventFilter(watched, event);
 }
 
 void Viewport::setAov(Aov aov) {
@@ -263,8 +302,10 @@ std::optional<GlInfo> Viewport::glInfo() const {
 }
 
 bool Viewport::isSettled() const {
-  return m_renderer && !m_firstFrame && !m_jobsLeft && !m_moving && m_drawn == m_document.snapshot() &&
-         !m_renderer->accumulating();
+  return m_renderer && !m_firstFrame && !m_jobsLeft && !m_moving && !m_settling && m_drawn == m_document.snapshot() &&
+         !m_renderer->accumulating() &&
+         (!m_comparedScene ||
+          (m_compared && m_compared->scene() == m_comparedScene.get() && !m_compared->accumulating()));
 }
 
 void Viewport::refreshStatistics(double milliseconds) {
@@ -305,157 +346,14 @@ void Viewport::placeOverlays() {
   m_viewName->move(kEdge, kEdge);
   m_legend->move(width() - m_legend->width() - kEdge, kEdge);
   m_problem->setGeometry(rect());
+  m_canvas->setGeometry(rect());
+  m_canvas->lower();  // text stays readable over it
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   placeOverlays();
   Q_EMIT pictureResized(QSize(width(), height()) * devicePixelRatioF());
-}
-
-// --- gestures
-// ---------------------------------------------------------------------------------------------------------
-
-void Viewport::moveCamera(const Camera& camera) {
-  m_document.setCamera(camera);  // tells of a change, and so draws
-}
-
-void Viewport::frameAll() {
-  if (!m_document.isReady()) return;
-  moveCamera(navigation::frame(m_document.camera(), m_document.model()->bounds,
-                               static_cast<float>(width()) / static_cast<float>(std::max(height(), 1))));
-}
-
-void Viewport::showNamedView(const QString& name) {
-  if (!m_document.isReady()) return;
-  if (const auto camera = namedCamera(name.toStdString(), m_document.model()->bounds)) moveCamera(*camera);
-}
-
-void Viewport::mousePressEvent(QMouseEvent* event) {
-  if (!m_document.isReady() || m_drag != Drag::None) return;
-  m_last = event->position();
-  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-  switch (event->button()) {
-    case Qt::LeftButton:
-      m_drag = shift ? Drag::Pan : Drag::Orbit;
-      break;
-    case Qt::MiddleButton:
-      m_drag = Drag::Pan;
-      break;
-    case Qt::RightButton:
-      m_drag = shift ? Drag::TurnEnvironment : Drag::Zoom;
-      break;
-    default:
-      return;
-  }
-  m_gesture = newGesture();
-  setCursor(m_drag == Drag::Pan ? Qt::SizeAllCursor : m_drag == Drag::Zoom ? Qt::SizeVerCursor : Qt::ClosedHandCursor);
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  if (m_drag == Drag::None) return;
-  const QPointF step = event->position() - m_last;
-  m_last = event->position();
-  const auto x = static_cast<float>(step.x());
-  const auto y = static_cast<float>(step.y());
-  constexpr float kRadiansPerPixel = 0.008F;
-  const Camera& camera = m_document.camera();
-  switch (m_drag) {
-    case Drag::Orbit:
-      moveCamera(navigation::orbit(camera, x * kRadiansPerPixel, y * kRadiansPerPixel));
-      break;
-    case Drag::Pan:
-      moveCamera(navigation::pan(camera, x, -y, static_cast<float>(height())));
-      break;
-    case Drag::Zoom:
-      moveCamera(navigation::zoom(camera, 0.04F * (x - y)));
-      break;
-    case Drag::Look:
-      moveCamera(navigation::look(camera, x * 0.5F * kRadiansPerPixel, -y * 0.5F * kRadiansPerPixel));
-      break;
-    case Drag::TurnEnvironment: {
-      EnvironmentSource next = m_document.scene().environment;
-      next.rotationDegrees = std::remainder(next.rotationDegrees + 0.4F * x, 360.0F);
-      m_document.setEnvironmentSettings(next, tr("Rotate environment"), m_gesture);
-      break;
-    }
-    case Drag::None:
-      break;
-  }
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->buttons() != Qt::NoButton) return;
-  m_drag = Drag::None;
-  m_flyKeys.clear();
-  m_fly.stop();
-  unsetCursor();
-  if (m_moving) still();
-}
-
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (!m_renderer || event->button() != Qt::LeftButton) return;
-  const double ratio = devicePixelRatioF();
-  makeCurrent();
-  const auto point = m_renderer->pickPosition(
-      {static_cast<int>(event->position().x() * ratio), static_cast<int>(event->position().y() * ratio)});
-  doneCurrent();
-  if (point) moveCamera(navigation::lookAt(m_document.camera(), *point));
-}
-
-void Viewport::wheelEvent(QWheelEvent* event) {
-  if (!m_document.isReady()) return;
-  const float fine = event->modifiers().testFlag(Qt::ShiftModifier) ? 0.2F : 1.0F;
-  moveCamera(navigation::zoom(m_document.camera(),
-                              fine * static_cast<float>(event->angleDelta().y() + event->angleDelta().x()) / 120.0F));
-  event->accept();
-}
-
-bool Viewport::event(QEvent* event) {
-  // While the right button is held, letters fly; no menu's shortcut may take them.
-  if (event->type() == QEvent::ShortcutOverride && (m_drag == Drag::Zoom || m_drag == Drag::Look)) {
-    event->accept();
-    return true;
-  }
-  return QOpenGLWidget::event(event);
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event) {
-  static const QSet<int> kFlyKeys = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
-  if ((m_drag == Drag::Zoom || m_drag == Drag::Look) && kFlyKeys.contains(event->key())) {
-    if (event->isAutoRepeat()) return;
-    m_drag = Drag::Look;
-    m_flyKeys.insert(event->key());
-    if (!m_fly.isActive()) {
-      m_sinceFlyStep.start();
-      m_fly.start();
-    }
-    return;
-  }
-  QOpenGLWidget::keyPressEvent(event);
-}
-
-void Viewport::keyReleaseEvent(QKeyEvent* event) {
-  if (!event->isAutoRepeat() && m_flyKeys.remove(event->key())) {
-    if (m_flyKeys.isEmpty()) m_fly.stop();
-    return;
-  }
-  QOpenGLWidget::keyReleaseEvent(event);
-}
-
-void Viewport::focusOutEvent(QFocusEvent* event) {
-  m_flyKeys.clear();
-  m_fly.stop();
-  QOpenGLWidget::focusOutEvent(event);
-}
-
-void Viewport::flyStep() {
-  const float seconds = std::min(static_cast<float>(m_sinceFlyStep.restart()) * 1e-3F, 0.1F);
-  const float speed = m_document.isReady() ? 0.8F * m_document.model()->bounds.radius() : 1.0F;
-  const auto held = [this](int key) { return m_flyKeys.contains(key) ? 1.0F : 0.0F; };
-  const glm::vec3 direction(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q),
-                            held(Qt::Key_W) - held(Qt::Key_S));
-  moveCamera(navigation::fly(m_document.camera(), direction * (speed * seconds)));
 }
 
 }  // namespace dermis

@@ -13,15 +13,19 @@
 #include "ui/document/loading.h"
 #include "ui/rows/gesture.h"
 #include "ui/viewport/pace.h"
+#include "ui/viewport/projection.h"
 
 class QLabel;
 
 namespace dermis {
 
+class ComparedPicture;
 class Document;
 class Legend;
+class OverlayCanvas;
 class OverlayLabel;
 class ScaleBar;
+class ViewportTool;
 
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
@@ -45,11 +49,38 @@ class Viewport : public QOpenGLWidget {
   /// True when the picture shown has all its samples and nothing is queued.
   [[nodiscard]] bool isSettled() const;
 
+  /// Tools are asked in this order before a gesture is the camera's; not owned.
+  void addTool(ViewportTool* tool);
+  void updateOverlay();
+  [[nodiscard]] Projection projection() const;
+  /// What the renderer holds at a point of the widget; nothing without a picture or outside it.
+  [[nodiscard]] std::optional<PixelReadout> readPixel(const QPointF& at);
+  /// The point of the model under a point of the widget.
+  [[nodiscard]] std::optional<glm::vec3> pickPosition(const QPointF& at);
+  /// The picture alone, whole and without what lies over it; null while there is none.
+  [[nodiscard]] QImage picture();
+  void setReferences(const ReferenceObjects& references);
+  [[nodiscard]] const ReferenceObjects& references() const { return m_references; }
+
+  /// Shows `scene` right of the split, with this camera; null: no split. The share is the left side's.
+  void compareWith(std::shared_ptr<const ResolvedScene> scene);
+  [[nodiscard]] const ResolvedScene* compared() const { return m_comparedScene.get(); }
+  void setSplit(double share);
+  [[nodiscard]] double split() const { return m_split; }
+
  Q_SIGNALS:
   void message(dermis::MessageKind kind, const QString& sentence);
   void jobProgress(const QString& what, double fraction);
   void aovChanged(dermis::Aov aov);
   void withoutSubsurfaceChanged(bool without);
+  void comparisonChanged();
+  /// The pointer is over the picture at this point, or has left it.
+  void pointed(const QPointF& at);
+  void pointerLeft();
+  /// A plain click (not a drag) with these keys held.
+  void clicked(const QPointF& at, Qt::KeyboardModifiers keys);
+  /// A gesture has brought the camera somewhere else and has ended.
+  void cameraGestureEnded();
   /// Device pixels of the picture.
   void pictureResized(const QSize& pixels);
 
@@ -65,12 +96,20 @@ class Viewport : public QOpenGLWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
   enum class Drag { None, Orbit, Pan, Zoom, Look, TurnEnvironment };
   void releaseRenderer();
   void drawFrame();
+  [[nodiscard]] FrameRequest frameRequest() const;
+  /// The column where the compared picture begins; beyond the last where there is none.
+  [[nodiscard]] int splitColumn(int columns) const;
+  [[nodiscard]] RendererOptions rendererOptions() const;
+  void refreshCompared();
+  void cancelDrag();
   /// Another frame, another slice of jobs, or rest.
   void scheduleNext();
   void continueJobs();
@@ -96,8 +135,16 @@ class Viewport : public QOpenGLWidget {
   std::string m_jobText;     ///< of the job in progress
   bool m_firstFrame = true;  ///< nothing has been shown yet: wait for programs and environment
   bool m_moving = false;
-  bool m_wasMoving = false;  ///< the frame shown last was a moving one
+  bool m_resting = false;   ///< a button is held and nothing has changed for a while: as sharp as a moving picture gets
+  bool m_settling = false;  ///< just let go: one whole picture of the quick kind comes before the slow samples
+  bool m_wasMoving = false;     ///< the frame shown last was a moving one
+  bool m_showsSamples = false;  ///< the frame shown last was a still one
+  bool m_wasScaled = false;     ///< and had fewer pixels than the widget
   Pace m_pace;
+  ReferenceObjects m_references;
+  std::unique_ptr<ComparedPicture> m_compared;
+  std::shared_ptr<const ResolvedScene> m_comparedScene;
+  double m_split = 0.5;
   QTimer m_next;
   QTimer m_still;
   QTimer m_fly;
@@ -110,6 +157,13 @@ class Viewport : public QOpenGLWidget {
   Drag m_drag = Drag::None;
   Gesture m_gesture = 0;
   QPointF m_last;
+  QPointF m_pressed;
+  bool m_dragged = false;  ///< the pointer has gone far enough for a drag
+  Camera m_cameraBefore;   ///< the drag, for Esc
+  EnvironmentSource m_environmentBefore;
+  QList<ViewportTool*> m_tools;
+  ViewportTool* m_activeTool = nullptr;
+  OverlayCanvas* m_canvas = nullptr;
   QSet<int> m_flyKeys;
   OverlayLabel* m_statistics = nullptr;
   OverlayLabel* m_viewName = nullptr;

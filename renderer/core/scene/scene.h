@@ -100,6 +100,15 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// A place to look from that somebody wants to find again.
+struct CameraBookmark {
+  std::string name;
+  Camera camera;
+  nlohmann::ordered_json unknown = nlohmann::ordered_json::object();  ///< keys that we don't know, kept
+  bool operator==(const CameraBookmark&) const = default;
+};
+inline constexpr std::size_t kMaxBookmarks = 256;
+
 struct ViewSettings {
   std::string transform = "ACES";
   std::string display = "sRGB";
@@ -113,6 +122,7 @@ struct Scene {
   EnvironmentSource environment;
   std::vector<Light> lights;
   std::optional<Camera> camera;  ///< unset: one that frames the model's bounds from +Z
+  std::vector<CameraBookmark> bookmarks;
   ViewSettings view;
   std::string name;
   /// Keys that we don't know, kept; those inside "model", "environment", "camera" and "view" under these names.

@@ -44,6 +44,7 @@ struct SceneReader {
   void readEnvironment(JsonFields& root, Scene& scene);
   void readLights(JsonFields& root, Scene& scene);
   Light readLight(const Json& json, const std::string& pointer);
+  void readBookmarks(JsonFields& root, Scene& scene);
   void readView(JsonFields& root, Scene& scene);
 };
 
@@ -250,6 +251,22 @@ Light SceneReader::readLight(const Json& json, const std::string& pointer) {
   return light;
 }
 
+void SceneReader::readBookmarks(JsonFields& root, Scene& scene) {
+  const Json* json = root.find("bookmarks");
+  if (json == nullptr) return;
+  const std::string pointer = root.pointerTo("bookmarks");
+  if (!json->is_array() || json->size() > kMaxBookmarks)
+    return report.refuse(pointer, "must be an array of at most " + std::to_string(kMaxBookmarks) + " named cameras");
+  for (std::size_t i = 0; i < json->size(); ++i) {
+    CameraBookmark bookmark;
+    JsonFields fields((*json)[i], pointerStep(pointer, i), report);
+    fields.read("name", bookmark.name);
+    readCamera(fields, bookmark.camera);
+    bookmark.unknown = fields.unknown();
+    scene.bookmarks.push_back(std::move(bookmark));
+  }
+}
+
 void SceneReader::readView(JsonFields& root, Scene& scene) {
   const Json* json = root.find("view");
   if (json == nullptr) return;
@@ -272,6 +289,7 @@ void SceneReader::read(JsonFields& root, Scene& scene) {
     readCamera(fields, scene.camera.emplace());
     keepUnknown(fields, "camera", scene);
   }
+  readBookmarks(root, scene);
   readView(root, scene);
   const Json unknown = root.unknown();
   for (const auto& [key, value] : unknown.items()) appendMember(scene.unknown, key, value);

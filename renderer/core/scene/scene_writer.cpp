@@ -110,6 +110,14 @@ Json viewToJson(const ViewSettings& view) {
   return {{"transform", view.transform}, {"display", view.display}, {"exposure_stops", jsonNumber(view.exposureStops)}};
 }
 
+Json bookmarkToJson(const CameraBookmark& bookmark) {
+  Json json = {{"name", bookmark.name}};
+  const Json camera = cameraToJson(bookmark.camera);
+  for (const auto& [key, value] : camera.items()) json[key] = value;
+  for (const auto& [key, value] : bookmark.unknown.items()) appendMember(json, key, value);
+  return json;
+}
+
 constexpr std::array<std::string_view, 5> kObjects = {"model", "materials", "environment", "camera", "view"};
 
 Json sceneToJson(const Scene& scene, const fs::path& folder) {
@@ -131,6 +139,10 @@ Json sceneToJson(const Scene& scene, const fs::path& folder) {
   if (scene.camera) {
     Json& camera = json["camera"] = cameraToJson(*scene.camera);
     appendUnknown(camera, scene.unknown, "camera");
+  }
+  if (!scene.bookmarks.empty()) {
+    Json& bookmarks = json["bookmarks"] = Json::array();
+    for (const CameraBookmark& bookmark : scene.bookmarks) bookmarks.push_back(bookmarkToJson(bookmark));
   }
   Json& view = json["view"] = viewToJson(scene.view);
   appendUnknown(view, scene.unknown, "view");

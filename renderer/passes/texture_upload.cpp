@@ -1,0 +1,121 @@
+#include "passes/texture_upload.h"
+
+#include <algorithm>
+
+#include "passes/texture_pixels.h"
+
+namespace dermis {
+
+namespace {
+
+struct GlFormat {
+  GLenum internal, format, type;
+};
+
+GlFormat formatFor(const Image& image, bool srgb) {
+  constexpr GLenum kFormats[4] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  constexpr GLenum kU8[4] = {GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
+  constexpr GLenum kU16[4] = {GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
+  constexpr GLenum kHalf[4] = {GL_R16F, GL_RG16F, GL_RGB16F, GL_RGBA16F};
+  constexpr GLenum kFloat[4] = {GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
+  const auto c = static_cast<std::size_t>(image.channels - 1);
+  switch (image.type) {
+    case PixelType::U8:
+      if (srgb)
+        return {image.channels == 3 ? GLenum{GL_SRGB8} : GLenum{GL_SRGB8_ALPHA8}, kFormats[c], GL_UNSIGNED_BYTE};
+      return {kU8[c], kFormats[c], GL_UNSIGNED_BYTE};
+    case PixelType::U16:
+      return {kU16[c], kFormats[c], GL_UNSIGNED_SHORT};
+    case PixelType::Half:
+      return {kHalf[c], kFormats[c], GL_HALF_FLOAT};
+    default:
+      return {kFloat[c], kFormats[c], GL_FLOAT};
+  }
+}
+
+}  // namespace
+
+PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) {
+  PreparedTexture prepared;
+  // What the GPU decodes itself stays as it is; the rest becomes linear here.
+  const Image* source = &image;
+  Image changed;
+  bool srgb = recipe.colour.decode == TextureColour::Decode::Srgb;
+  if (srgb && source->type == PixelType::U8 && source->channels <= 2) {
+    changed = greyToColour(*source);
+    source = &changed;
+  } else if (srgb && source->type != PixelType::U8) {
+    changed = srgbToLinear(*source);
+    source = &changed;
+    srgb = false;
+  } else if (recipe.colour.decode == TextureColour::Decode::Convert) {
+    changed = toFloatRgba(*source);
+    recipe.colour.convert(reinterpret_cast<float*>(changed.pixels.data()),
+                          static_cast<std::size_t>(changed.width) * static_cast<std::size_t>(changed.height));
+    changed = toHalf(changed);
+    source = &changed;
+  }
+  // Some detail maps keep a height in the blue of a normal.
+  if (recipe.isNormal && lacksZ(*source)) {
+    changed = withZ(*source);
+    source = &changed;
+  }
+  if (source->width > recipe.maximumSize || source->height > recipe.maximumSize) {
+    const int width = source->width;
+    const int height = source->height;
+    changed = reduced(*source, recipe.maximumSize, srgb);
+    source = &changed;
+    prepared.messages.push_back(image.name + ": " + std::to_string(width) + " × " + std::to_string(height) +
+                                " pixels is more than the graphics driver takes; reduced to " +
+                                std::to_string(source->width) + " × " + std::to_string(source->height) + ".");
+  }
+  prepared.srgb = srgb;
+  // Rows come from the top, texture coordinates count from the bottom.
+  prepared.levels.push_back(flippedRows(*source));
+  while (recipe.allMips && (prepared.levels.back().width > 1 || prepared.levels.back().height > 1))
+    prepared.levels.push_back(halved(prepared.levels.back(), srgb));
+  return prepared;
+}
+
+TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const std::string& label)
+    : m_prepared(std::move(prepared)) {
+  const Image& first = m_prepared.levels.front();
+  m_texture = gl::Texture::create({.format = formatFor(first, m_prepared.srgb).internal,
+                                   .width = first.width,
+                                   .height = first.height,
+                                   .levels = 0,
+                                   .label = label});
+  if (first.channels <= 2) {
+    // Grey is grey in every channel; the second channel of a grey image is its alpha.
+    const GLint swizzle[4] = {GL_RED, GL_RED, GL_RED, first.channels == 2 ? GL_GREEN : GL_ONE};
+    glTextureParameteriv(m_texture.id(), GL_TEXTURE_SWIZZLE_RGBA, swizzle);
+  }
+  m_texture.setWrap(GL_REPEAT);
+  m_texture.setAnisotropy(anisotropy);
+}
+
+bool TextureUpload::step(std::size_t bytes) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const bool driverMips = m_prepared.levels.size() == 1;
+  std::size_t sent = 0;
+  while (m_level < m_prepared.levels.size() && sent < bytes) {
+    Image& level = m_prepared.levels[m_level];
+    const GlFormat format = formatFor(level, m_prepared.srgb);
+    const std::size_t row = level.rowBytes();
+    const int rows = std::min(level.height - m_row, static_cast<int>(std::max<std::size_t>((bytes - sent) / row, 1)));
+    glTextureSubImage2D(m_texture.id(), static_cast<GLint>(m_level), 0, m_row, level.width, rows, format.format,
+                        format.type, level.pixels.data() + static_cast<std::size_t>(m_row) * row);
+    sent += static_cast<std::size_t>(rows) * row;
+    m_row += rows;
+    if (m_row < level.height) continue;
+    level.pixels = {};
+    m_row = 0;
+    ++m_level;
+  }
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  if (m_level < m_prepared.levels.size()) return false;
+  if (driverMips) m_texture.generateMipmaps();
+  return true;
+}
+
+}  // namespace dermis

@@ -1,0 +1,47 @@
+// From a decoded image to a texture: what the CPU does first, on any thread, and the upload, in slices.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "colour/display_transform.h"
+#include "core/base/result.h"
+#include "core/image/image.h"
+#include "gl/gl_objects.h"
+
+namespace dermis {
+
+/// How an image has to change before the GPU can take it.
+struct TextureRecipe {
+  TextureColour colour;
+  bool isNormal = false;
+  int maximumSize = 0;
+  bool allMips = false;  ///< else the first level, and the driver makes the rest
+};
+
+/// Levels as the GPU takes them, first row lowest.
+struct PreparedTexture {
+  std::vector<Image> levels;
+  bool srgb = false;  ///< the GPU decodes
+  Warnings messages;
+};
+/// Slow for a large image; touches no OpenGL.
+[[nodiscard]] PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe);
+
+/// A texture on its way to the GPU.
+class TextureUpload {
+ public:
+  TextureUpload(PreparedTexture prepared, float anisotropy, const std::string& label);
+  /// Sends about `bytes` more; true when all is there.
+  bool step(std::size_t bytes);
+  [[nodiscard]] gl::Texture take() { return std::move(m_texture); }
+
+ private:
+  PreparedTexture m_prepared;
+  gl::Texture m_texture;
+  std::size_t m_level = 0;
+  int m_row = 0;
+};
+
+}  // namespace dermis

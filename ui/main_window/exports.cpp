@@ -1,0 +1,87 @@
+#include "ui/main_window/exports.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QStandardPaths>
+
+#include "core/scene/cameras.h"
+#include "ui/dialogs/screenshot_dialog.h"
+#include "ui/document/document.h"
+#include "ui/jobs/task_runner.h"
+#include "ui/text.h"
+#include "ui/viewport/viewport.h"
+
+namespace dermis {
+
+Exports::Exports(Document& document, TaskRunner& tasks, QWidget& window)
+    : QObject(&window), m_document(document), m_tasks(tasks), m_window(window) {}
+
+void Exports::ask(const Viewport& viewport) {
+  if (!m_document.isReady()) return;
+  const double ratio = viewport.devicePixelRatioF();
+  ScreenshotDialog dialog({static_cast<int>(viewport.width() * ratio), static_cast<int>(viewport.height() * ratio)},
+                          text(m_document.scene().view.transform), viewport.references(), &m_window);
+  if (dialog.exec() == QDialog::Accepted) draw(dialog.request());
+}
+
+std::vector<NamedView> Exports::sheetViews() const {
+  std::vector<NamedView> views;
+  if (!m_document.isReady()) return views;
+  for (const char* name : {"front", "three-quarter", "profile", "ear"})
+    for (const NamedCameraRow& row : namedCameras())
+      if (row.id == name) views.push_back({std::string(row.label), *namedCamera(name, m_document.model()->bounds)});
+  for (const CameraBookmark& bookmark : m_document.scene().bookmarks) views.push_back({bookmark.name, bookmark.camera});
+  return views;
+}
+
+void Exports::draw(const PictureRequest& given) {
+  const std::shared_ptr<const ResolvedScene> scene = m_document.snapshot();
+  if (!scene) return;
+  PictureRequest request = given;
+  request.sceneFolder = m_document.path().parent_path();
+  if (request.kind == PictureKind::Sheet && request.views.empty()) request.views = sheetViews();
+  auto surface = std::make_shared<QOffscreenSurface>();
+  surface->setFormat(QSurfaceFormat::defaultFormat());
+  surface->create();
+  const QString name = request.path.empty() ? tr("a picture") : pathText(request.path.filename());
+  const std::filesystem::path cache =
+      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  Q_EMIT progressed(0.0);
+  m_tasks.run(
+      QStringLiteral("picture"), tr("Drawing %1").arg(name),
+      [this, surface, scene, request, cache, metadata = m_metadata](std::stop_token stop) {
+        const auto progress = [this](double fraction) {
+          QMetaObject::invokeMethod(
+              this, [this, fraction] { Q_EMIT progressed(fraction); }, Qt::QueuedConnection);
+        };
+        return drawPicture(*surface, scene, request, cache, metadata, progress, stop);
+      },
+      // The surface is held here too: it has to go on the thread it came from.
+      [this, surface](const Result<DrawnPicture>& result) {
+        Q_EMIT progressed(-1.0);
+        if (!result) {
+          if (result.error().kind != Error::Kind::Cancelled)
+            Q_EMIT message(MessageKind::Error, text(result.error().message));
+          return;
+        }
+        if (result->files.size() == 1) {
+          Q_EMIT message(MessageKind::Info, tr("Saved %1").arg(pathText(result->files.front())));
+        } else if (!result->files.empty()) {
+          Q_EMIT message(MessageKind::Info,
+                         tr("Saved %1 frames, %2 to %3")
+                             .arg(result->files.size())
+                             .arg(pathText(result->files.front()), pathText(result->files.back().filename())));
+        } else {
+          const Image& image = result->image;
+          QGuiApplication::clipboard()->setImage(
+              QImage(reinterpret_cast<const uchar*>(image.pixels.data()), image.width, image.height,
+                     static_cast<qsizetype>(image.rowBytes()), QImage::Format_RGBA8888)
+                  .copy());
+          Q_EMIT message(MessageKind::Info, tr("Copied a picture of %1 × %2").arg(image.width).arg(image.height));
+        }
+      });
+}
+
+}  // namespace dermis

@@ -1,0 +1,40 @@
+// Pictures out of the editor: asked for in a dialog, drawn beside it, to files or to the clipboard.
+#pragma once
+
+#include <QObject>
+
+#include "ui/document/loading.h"
+#include "ui/jobs/picture_job.h"
+
+class QWidget;
+
+namespace dermis {
+
+class Document;
+class TaskRunner;
+class Viewport;
+
+class Exports : public QObject {
+  Q_OBJECT
+ public:
+  Exports(Document& document, TaskRunner& tasks, QWidget& window);
+  void setMetadata(PictureMetadata metadata) { m_metadata = std::move(metadata); }
+  /// The dialog; the viewport gives size and what is switched on in it.
+  void ask(const Viewport& viewport);
+  void draw(const PictureRequest& request);
+  /// The views of a sheet: the ready-made ones and the scene's bookmarks.
+  [[nodiscard]] std::vector<NamedView> sheetViews() const;
+
+ Q_SIGNALS:
+  void message(dermis::MessageKind kind, const QString& sentence);
+  /// 0..1 of what is being drawn; negative: nothing is.
+  void progressed(double fraction);
+
+ private:
+  Document& m_document;
+  TaskRunner& m_tasks;
+  QWidget& m_window;
+  PictureMetadata m_metadata;
+};
+
+}  // namespace dermis

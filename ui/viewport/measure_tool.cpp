@@ -1,0 +1,73 @@
+#include "ui/viewport/measure_tool.h"
+
+#include <QCoreApplication>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "core/scene/pick.h"
+#include "ui/document/document.h"
+#include "ui/viewport/projection.h"
+#include "ui/viewport/viewport.h"
+
+namespace dermis {
+
+void MeasureTool::setEnabled(bool enabled) {
+  m_enabled = enabled;
+  cancel();
+}
+
+std::optional<glm::vec3> MeasureTool::surfaceAt(QPointF at) const {
+  if (!m_document.isReady()) return std::nullopt;
+  const Ray ray = m_viewport.projection().ray(at);
+  const auto hit = hitModel(*m_document.model(), ray.origin, ray.direction);
+  return hit ? std::optional(hit->position) : std::nullopt;
+}
+
+std::optional<double> MeasureTool::millimetres() const {
+  if (!m_from || !m_to) return std::nullopt;
+  return static_cast<double>(glm::length(*m_to - *m_from)) * static_cast<double>(m_document.millimetresPerUnit());
+}
+
+bool MeasureTool::press(const QMouseEvent& event) {
+  if (!m_enabled || event.button() != Qt::LeftButton) return false;
+  m_from = surfaceAt(event.position());
+  m_to.reset();
+  m_viewport.updateOverlay();
+  return m_from.has_value();
+}
+
+void MeasureTool::drag(const QMouseEvent& event) {
+  if (const auto at = surfaceAt(event.position())) m_to = at;
+  m_viewport.updateOverlay();
+}
+
+void MeasureTool::cancel() {
+  m_from.reset();
+  m_to.reset();
+  m_viewport.updateOverlay();
+}
+
+void MeasureTool::paint(QPainter& p, const Projection& view) {
+  const auto length = millimetres();
+  if (!length) return;
+  const auto a = view.toScreen(*m_from);
+  const auto b = view.toScreen(*m_to);
+  if (!a || !b) return;
+  p.setRenderHint(QPainter::Antialiasing);
+  for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 160), 4.0), std::pair(QColor(240, 240, 240), 1.5)}) {
+    p.setPen(QPen(colour, width));
+    p.drawLine(*a, *b);
+    p.drawEllipse(*a, 3.0, 3.0);
+    p.drawEllipse(*b, 3.0, 3.0);
+  }
+  const QString words =
+      QCoreApplication::translate("dermis::MeasureTool", "%1 mm").arg(*length, 0, 'f', *length < 100.0 ? 2 : 1);
+  const QRectF box(b->x() + 10.0, b->y() - 10.0, p.fontMetrics().horizontalAdvance(words) + 12.0, 20.0);
+  p.setPen(Qt::NoPen);
+  p.setBrush(QColor(20, 20, 20, 180));
+  p.drawRoundedRect(box, 3.0, 3.0);
+  p.setPen(QColor(235, 235, 235));
+  p.drawText(box, Qt::AlignCenter, words);
+}
+
+}  // namespace dermis

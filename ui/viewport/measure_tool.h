@@ -1,0 +1,36 @@
+// A ruler between two points of the surface.
+#pragma once
+
+#include <QPointF>
+#include <optional>
+
+#include "core/scene/scene.h"
+#include "ui/viewport/viewport_tool.h"
+
+namespace dermis {
+
+class Document;
+class Viewport;
+
+class MeasureTool : public ViewportTool {
+ public:
+  MeasureTool(Document& document, Viewport& viewport) : m_document(document), m_viewport(viewport) {}
+  /// While it is on, a drag with the left button measures; turning it off forgets the line.
+  void setEnabled(bool enabled);
+  /// Nothing until two points of the surface are known.
+  [[nodiscard]] std::optional<double> millimetres() const;
+
+  bool press(const QMouseEvent& event) override;
+  void drag(const QMouseEvent& event) override;
+  void cancel() override;
+  void paint(QPainter& painter, const Projection& projection) override;
+
+ private:
+  [[nodiscard]] std::optional<glm::vec3> surfaceAt(QPointF at) const;
+  Document& m_document;
+  Viewport& m_viewport;
+  bool m_enabled = false;
+  std::optional<glm::vec3> m_from, m_to;
+};
+
+}  // namespace dermis
