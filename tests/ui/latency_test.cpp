@@ -148,7 +148,7 @@ TEST_F(Latency, DISABLED_LongestBlockWhileMuchIsLoaded) {
                                TextureSlot::Emissive, TextureSlot::Thickness};
   phase("eight maps of 4096 x 4096", [&] {
     for (std::size_t i = 0; i < maps.size(); ++i)
-      window->loading().assignTexture(document().currentSlot(), slots[i], maps[i]);
+      window->loading().assignTexture({document().currentSlot()}, slots[i], maps[i]);
   });
 }
 
