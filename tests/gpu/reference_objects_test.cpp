@@ -19,7 +19,7 @@ class ReferenceObjectsTest : public FrameTest {
   /// A plane that is black and small: all light there is comes from what stands before it.
   Image drawn(const ResolvedScene& scene, const ReferenceObjects& objects) {
     show(scene);
-    FrameRequest frame = request(scene, 4);
+    FrameRequest frame = request(scene, 1);  // at the middles of pixels
     frame.references = objects;
     m_layout = referenceLayout(objects, m_size);
     do EXPECT_TRUE(m_renderer->renderFrame(frame));

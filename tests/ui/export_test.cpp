@@ -131,12 +131,17 @@ TEST_F(Exporting, APictureDroppedOnTheWindowOffersItsScene) {
   ASSERT_TRUE(writePng(path, image, {{"dermis", json.dump()}}).has_value());
   EXPECT_FALSE(sceneTextOfPicture(path).empty());
 
-  QTimer::singleShot(0, [] {
-    ASSERT_TRUE(QTest::qWaitFor([] { return QApplication::activeModalWidget() != nullptr; }, kPatienceMs));
-    auto* open = QApplication::activeModalWidget()->findChild<QPushButton*>(QStringLiteral("pictureScene.open"));
+  // The question has an event loop of its own: who answers must not wait in one that it interrupts.
+  QTimer answer;
+  QObject::connect(&answer, &QTimer::timeout, &answer, [&answer] {
+    const QWidget* question = QApplication::activeModalWidget();
+    if (question == nullptr) return;
+    auto* open = question->findChild<QPushButton*>(QStringLiteral("pictureScene.open"));
     ASSERT_NE(open, nullptr);
+    answer.stop();
     open->click();
   });
+  answer.start(20);
   QMimeData mime;
   mime.setUrls({QUrl::fromLocalFile(QString::fromStdString(path))});
   QDragEnterEvent enter(QPoint(100, 100), Qt::CopyAction, &mime, Qt::LeftButton, Qt::NoModifier);

@@ -95,6 +95,7 @@ void Autosave::write() {
   Recovery recovery{m_document.sceneForSaving(), m_document.path(), QDateTime::currentMSecsSinceEpoch()};
   m_pool.start([this, file = m_file, recovery = std::move(recovery)] {
     Result<void> result = saveRecovery(file, recovery);
+    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the event queue owns what is called
     QMetaObject::invokeMethod(
         this,
         [this, result = std::move(result)] {

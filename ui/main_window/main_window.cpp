@@ -32,6 +32,7 @@
 #include "ui/main_window/safety_net.h"
 #include "ui/main_window/view_tools.h"
 #include "ui/text.h"
+#include "ui/viewport/pick_readout.h"
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
@@ -238,6 +239,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   if (const QString preset = draggedPreset(event->mimeData()); !preset.isEmpty()) {
+    // On the slot that is seen there; beside the model and beside the picture, on the current one.
+    const QPointF at = m_viewport->mapFrom(this, event->position());
+    if (m_viewport->rect().contains(at.toPoint())) m_tools->readout().selectSlot(at);
     m_presets->apply(preset, m_document.currentSlot());
     return;
   }

@@ -61,8 +61,8 @@ class Importer {
                                                 const std::vector<ImageLayer>& layers,
                                                 const ImageWriteOptions& options) const = 0;
 
-  /// Writes .glb (metres), .obj with its .mtl, .ply or .stl (millimetres) by the extension: geometry, UVs and the slots'
-  /// names. Errors: Runtime.
+  /// Writes .glb (metres), .obj with its .mtl, .ply or .stl (millimetres) by the extension: geometry, UVs and the
+  /// slots' names. Errors: Runtime.
   [[nodiscard]] virtual Result<void> writeModel(const std::filesystem::path& path, const Model& model) const = 0;
 };
 
