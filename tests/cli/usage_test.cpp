@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"render", "--set", "specular.perceptual_roughness=nan", "-o", "x.png"},
         std::vector<std::string>{"render", "--set", "nose/specular.perceptual_roughness=0.3", "-o", "x.png"},
         std::vector<std::string>{"render", "--set", "lens/subsurface.scale=2", "-o", "x.png"},
-        std::vector<std::string>{"render", "--set", "metallic_roughness.emissive_strength=2", "-o", "x.png"},
+        std::vector<std::string>{"render", "--set", "thesis.sss_scale=2", "-o", "x.png"},
         std::vector<std::string>{"compare", "only-one.png"},
         std::vector<std::string>{"compare", "a.png", "b.png", "--tolerance", "-1"},
         std::vector<std::string>{"parameters", "--json", "--markdown"},
