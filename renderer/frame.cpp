@@ -132,7 +132,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     uploadFrameBlock(frame, statistics);
     resources.bindLight();
     clear(frame);
-    const bool deferred = m_software && deferringPays(*scene) && m_targets.prepareSurfaces().has_value();
+    const bool deferred = m_software && deferringPays(*scene) && m_targets.prepareSurfaces(request.moving).has_value();
     if (deferred) {
       const auto timed = m_timer.pass("geometry");
       geometryPass(frame);

@@ -126,35 +126,40 @@ Result<void> RenderTargets::prepareSpread() {
   return m_spreading.check();
 }
 
-Result<void> RenderTargets::prepareSurfaces() {
-  if (m_surfaces) return {};
+Result<void> RenderTargets::prepareSurfaces(bool moving) {
+  SurfaceImages& images = moving ? m_movingSurfaces : m_stillSurfaces;
+  if (images.framebuffer) return {};
+  prepareSurfaceOrSpread();
   const auto image = [&](GLenum format, const char* label) {
     return gl::Texture::create({.format = format, .width = m_size.x, .height = m_size.y, .label = label});
   };
-  prepareSurfaceOrSpread();
-  m_tangent = image(GL_RGBA16F, "tangent");
-  m_sky = image(GL_RGBA16F, "sky share");
-  m_far = image(GL_RGBA16F, "far side");
-  m_bounce = image(GL_RGBA16F, "bounce");
-  m_gradients = image(GL_RGBA16F, "gradients of uv");
-  m_surfaces = gl::Framebuffer::create("surfaces");
-  GLuint place = 0;
-  for (const gl::Texture* each : {&m_surfaceOrSpread, &m_tangent, &m_sky, &m_far, &m_bounce, &m_gradients})
-    m_surfaces.attachColour(place++, *each);
-  m_surfaces.attachDepth(m_depth);
-  return m_surfaces.check();
+  if (!m_tangent) m_tangent = image(GL_RGBA16F, "tangent");
+  if (!m_far) m_far = image(GL_RGBA16F, "far side");
+  // What is seen for a moment may be coarse; writing more costs a moving frame a tenth.
+  images.sky = image(moving ? GL_RGBA8 : GL_RGBA16F, "sky share");
+  images.bounce = image(moving ? GL_R11F_G11F_B10F : GL_RGBA16F, "bounce");
+  if (!moving) images.gradients = image(GL_RGBA16F, "gradients of uv");
+  images.framebuffer = gl::Framebuffer::create(moving ? "moving surfaces" : "surfaces");
+  int count = 0;
+  for (const gl::Texture* each :
+       {&m_surfaceOrSpread, &m_tangent, &images.sky, &m_far, &images.bounce, &images.gradients})
+    if (*each) images.framebuffer.attachColour(static_cast<GLuint>(count++), *each);
+  images.framebuffer.attachDepth(m_depth);
+  images.framebuffer.drawTo(count);
+  return images.framebuffer.check();
 }
 
-void RenderTargets::bindSurfaces() const {
+void RenderTargets::bindSurfaces(bool moving) const {
+  const SurfaceImages& images = moving ? m_movingSurfaces : m_stillSurfaces;
   constexpr GLuint kFirstUnit = 21;
   m_surfaceOrSpread.bind(kFirstUnit);
   m_tangent.bind(kFirstUnit + 1);
   m_depth.bind(kFirstUnit + 2);
   constexpr GLuint kBakedUnit = 29;
-  m_sky.bind(kBakedUnit);
+  images.sky.bind(kBakedUnit);
   m_far.bind(kBakedUnit + 1);
-  m_bounce.bind(kBakedUnit + 2);
-  m_gradients.bind(kBakedUnit + 3);
+  images.bounce.bind(kBakedUnit + 2);
+  if (images.gradients) images.gradients.bind(kBakedUnit + 3);
 }
 
 Result<void> RenderTargets::prepareSums(SceneImages images) {

@@ -47,7 +47,7 @@ class RenderTargets {
   /// Makes what the first of two diffusion passes writes. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSpread();
   /// Makes what geometryPass draws into. Errors: Runtime.
-  [[nodiscard]] Result<void> prepareSurfaces();
+  [[nodiscard]] Result<void> prepareSurfaces(bool moving);
 
   [[nodiscard]] glm::ivec2 size() const { return m_size; }
   [[nodiscard]] SceneImages images() const { return m_images; }
@@ -57,7 +57,10 @@ class RenderTargets {
 
   [[nodiscard]] const gl::Framebuffer& scene() const { return m_scene; }
   [[nodiscard]] const gl::Framebuffer& multisampled() const { return m_multisampled; }
-  [[nodiscard]] const gl::Framebuffer& surfaces() const { return m_surfaces; }  ///< with the scene's depth
+  /// With the scene's depth.
+  [[nodiscard]] const gl::Framebuffer& surfaces(bool moving) const {
+    return (moving ? m_movingSurfaces : m_stillSurfaces).framebuffer;
+  }
   /// What the subsurface pass makes of what the surface pass wrote (beauty, diffuse, scattered by location), with the
   /// depth that both its test and its shaders read and nothing writes.
   [[nodiscard]] const gl::Framebuffer& composed() const { return m_composed; }
@@ -65,7 +68,7 @@ class RenderTargets {
   [[nodiscard]] const gl::Texture& spread() const { return m_surfaceOrSpread; }
   [[nodiscard]] const gl::Texture& depth() const { return m_depth; }
   /// Coordinates and normal, tangent, depth: on the units that surface.frag reads them from.
-  void bindSurfaces() const;
+  void bindSurfaces(bool moving) const;
   [[nodiscard]] const gl::Texture& image(SceneImage image) const {
     return m_imagesOf.at(static_cast<std::size_t>(image));
   }
@@ -93,8 +96,13 @@ class RenderTargets {
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
   gl::Texture m_surfaceOrSpread;  ///< diffusion begins when the surfaces have been shaded
-  gl::Texture m_tangent, m_sky, m_far, m_bounce, m_gradients;
-  gl::Framebuffer m_scene, m_multisampled, m_surfaces, m_composed, m_radiances, m_spreading;
+  gl::Texture m_tangent, m_far;
+  struct SurfaceImages {
+    gl::Texture sky, bounce, gradients;
+    gl::Framebuffer framebuffer;
+  };
+  SurfaceImages m_movingSurfaces, m_stillSurfaces;
+  gl::Framebuffer m_scene, m_multisampled, m_composed, m_radiances, m_spreading;
 };
 
 }  // namespace dermis

@@ -136,9 +136,9 @@ void geometryPass(const FrameContext& frame) {
   const auto& slots = frame.resources.slots();
   // Zero in the tangent's image says that nothing is there.
   const std::array<GLfloat, 4> nothing = {0.0F, 0.0F, 0.0F, 0.0F};
-  glClearNamedFramebufferfv(frame.targets.surfaces().id(), GL_COLOR, 1, nothing.data());
-  frame.targets.surfaces().drawTo(frame.request.moving ? 5 : 6);
-  frame.targets.surfaces().bind();
+  const gl::Framebuffer& surfaces = frame.targets.surfaces(frame.request.moving);
+  glClearNamedFramebufferfv(surfaces.id(), GL_COLOR, 1, nothing.data());
+  surfaces.bind();
   beginOpaque(frame);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const SlotResources& slot = slots[parts[i].slot];
@@ -156,7 +156,7 @@ void geometryPass(const FrameContext& frame) {
 void shadingPass(const FrameContext& frame) {
   const auto& slots = frame.resources.slots();
   frame.targets.scene().bind();
-  frame.targets.bindSurfaces();
+  frame.targets.bindSurfaces(frame.request.moving);
   // Only where the model is: the triangle lies on the far plane. The depth is read by the shader too, and not written.
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
