@@ -177,6 +177,7 @@ Result<void> RenderTargets::prepareSums(SceneImages images) {
 
 void RenderTargets::drawToAll() const {
   std::vector<GLenum> attachments;
+  attachments.reserve(kSurfaceImages.size());
   for (const SceneImage image : kSurfaceImages)
     attachments.push_back(has(image) ? GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(image) : GLenum{GL_NONE});
   m_scene.drawTo(attachments);
