@@ -191,8 +191,13 @@ TEST_F(Browse, AThumbnailIsDrawnByTheProgramAndKept) {
   ThumbnailMaker maker;
   ASSERT_TRUE(maker.find(*entry).isNull());
   QSignalSpy made(&maker, &ThumbnailMaker::made);
+  maker.hold(true);  // as while the editor loads
   maker.want({*entry});
   EXPECT_EQ(maker.waiting(), 1);
+  auto& process = *maker.findChild<QProcess*>();
+  QTest::qWait(ThumbnailMaker::kWaitMs + 200);
+  EXPECT_EQ(process.state(), QProcess::NotRunning);
+  maker.hold(false);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !made.isEmpty(); }, kPatienceMs));
   const QImage drawn = maker.find(*entry);
   ASSERT_EQ(drawn.size(), QSize(ThumbnailMaker::kSide, ThumbnailMaker::kSide));

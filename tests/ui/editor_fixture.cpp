@@ -42,6 +42,20 @@ void Editor::reveal(QWidget* control) {
   QApplication::processEvents();
 }
 
+void PictureEditor::SetUp() {
+  Editor::SetUp();
+  if (HasFatalFailure()) return;
+  window->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), kPatienceMs));
+  viewport()->setFocus();
+}
+
+void PictureEditor::send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held,
+                         Qt::KeyboardModifiers keys) {
+  QMouseEvent event(type, at, viewport()->mapToGlobal(at), button, held, keys);
+  QApplication::sendEvent(viewport(), &event);
+}
+
 float Editor::meanDifference(const QImage& a, const QImage& b) {
   if (a.size() != b.size() || a.isNull()) return 255.0F;
   double sum = 0.0;

@@ -73,6 +73,15 @@ class Editor : public testing::Test {
   static inline std::unique_ptr<MainWindow> window;
 };
 
+/// The same with the keyboard on the picture.
+class PictureEditor : public Editor {
+ protected:
+  void SetUp() override;
+  static Viewport* viewport() { return window->viewport(); }
+  static void send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held,
+                   Qt::KeyboardModifiers keys = {});
+};
+
 void closeEditor();
 
 /// A triangle with one material, `slot`, `size` scene units wide, as OBJ with its MTL beside it.

@@ -10,19 +10,15 @@
 namespace dermis {
 namespace {
 
-class Gizmos : public Editor {
+class Gizmos : public PictureEditor {
  protected:
   void SetUp() override {
-    Editor::SetUp();
+    PictureEditor::SetUp();
     if (HasFatalFailure()) return;
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), kPatienceMs));
     gizmos().setEnabled(true);
-    viewport()->setFocus();
     put(LightType::Point);
     wake();
   }
-  Viewport* viewport() { return window->viewport(); }
   LightGizmos& gizmos() { return window->viewTools()->gizmos(); }
   const Light& light() { return document().scene().lights.front(); }
   glm::vec3 centre() { return document().model()->bounds.centre(); }
@@ -37,11 +33,6 @@ class Gizmos : public Editor {
     m_entries = undo().count();
   }
   void wake() { moveTo(viewport()->rect().center() + QPointF(3.0, 3.0)); }
-  void send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held,
-            Qt::KeyboardModifiers keys = {}) {
-    QMouseEvent event(type, at, viewport()->mapToGlobal(at), button, held, keys);
-    QApplication::sendEvent(viewport(), &event);
-  }
   void moveTo(QPointF at) { send(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton); }
   void press(QPointF at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
     send(QEvent::MouseButtonPress, at, button, button, keys);

@@ -16,30 +16,21 @@
 namespace dermis {
 namespace {
 
-class ViewToolsTest : public Editor {
+class ViewToolsTest : public PictureEditor {
  protected:
   void SetUp() override {
-    Editor::SetUp();
+    PictureEditor::SetUp();
     if (HasFatalFailure()) return;
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), kPatienceMs));
     viewport()->compareWith(nullptr);
     viewport()->setSplit(0.5);
     viewport()->setReferences({});
-    viewport()->setFocus();
   }
   void TearDown() override {
     viewport()->compareWith(nullptr);
     viewport()->setReferences({});
   }
-  Viewport* viewport() { return window->viewport(); }
   ViewTools& tools() { return *window->viewTools(); }
   QPoint middle() { return viewport()->rect().center(); }
-  void send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held,
-            Qt::KeyboardModifiers keys = {}) {
-    QMouseEvent event(type, at, viewport()->mapToGlobal(at), button, held, keys);
-    QApplication::sendEvent(viewport(), &event);
-  }
   void exposure(float stops) {
     EnvironmentSource next = document().scene().environment;
     next.exposureStops = stops;

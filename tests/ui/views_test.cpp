@@ -10,21 +10,18 @@
 namespace dermis {
 namespace {
 
-class Views : public Editor {
+class Views : public PictureEditor {
  protected:
   void SetUp() override {
-    Editor::SetUp();
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), kPatienceMs));
+    PictureEditor::SetUp();
+    if (HasFatalFailure()) return;
     viewport()->setAov(Aov::Beauty);
-    viewport()->setFocus();
     QApplication::processEvents();
   }
   void TearDown() override {
     viewport()->setAov(Aov::Beauty);
     viewport()->setWithoutSubsurface(false);
   }
-  Viewport* viewport() { return window->viewport(); }
   QLabel* name() { return find<QLabel>(QStringLiteral("viewport.viewName")); }
 };
 

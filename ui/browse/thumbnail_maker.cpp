@@ -12,8 +12,6 @@ namespace dermis {
 namespace {
 
 constexpr int kSamples = 8;
-/// So long after the last change nothing is begun: who types a name or starts the program comes first.
-constexpr int kWaitMs = 1500;
 
 /// What shows a material best: a face, an eye from near, a ball.
 QStringList lookFor(const PresetEntry& entry) {
@@ -71,7 +69,7 @@ void ThumbnailMaker::want(const std::vector<PresetEntry>& entries) {
 }
 
 void ThumbnailMaker::next() {
-  if (!m_current.isEmpty() || m_queue.empty()) return;
+  if (m_held || !m_current.isEmpty() || m_queue.empty()) return;
   const Order order = std::move(m_queue.front());
   m_queue.pop_front();
   m_current = order.key;
@@ -94,6 +92,10 @@ void ThumbnailMaker::finished(bool well) {
   Q_EMIT progressed(m_done, waiting());
   if (m_queue.empty()) m_done = 0;
   next();
+}
+
+void ThumbnailMaker::hold(bool held) {
+  if (std::exchange(m_held, held) && !held && !m_queue.empty()) m_later.start();
 }
 
 void ThumbnailMaker::setEnabled(bool enabled) {

@@ -16,6 +16,8 @@ class ThumbnailMaker : public QObject {
   Q_OBJECT
  public:
   static constexpr int kSide = 128;
+  /// So long after the last change nothing is begun: who types a name or starts the program comes first.
+  static constexpr int kWaitMs = 1500;
 
   explicit ThumbnailMaker(QObject* parent = nullptr);
   ~ThumbnailMaker() override;
@@ -25,6 +27,8 @@ class ThumbnailMaker : public QObject {
   /// Those without a thumbnail are drawn, in this order; what waited before is forgotten.
   void want(const std::vector<PresetEntry>& entries);
   void cancel();
+  /// While held nothing new is begun: the editor's own loading and baking come first.
+  void hold(bool held);
   /// Off: what is there is shown, nothing is drawn.
   void setEnabled(bool enabled);
   [[nodiscard]] int waiting() const { return static_cast<int>(m_queue.size()) + (m_current.isEmpty() ? 0 : 1); }
@@ -47,10 +51,11 @@ class ThumbnailMaker : public QObject {
   std::deque<Order> m_queue;
   QString m_current;
   QSet<QString> m_failed;
-  QProcess m_process;
+  QProcess m_process{this};
   QTimer m_later;
   int m_done = 0;
   bool m_enabled = true;
+  bool m_held = false;
 };
 
 }  // namespace dermis

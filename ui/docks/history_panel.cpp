@@ -12,6 +12,7 @@
 
 #include "ui/docks/panel.h"
 #include "ui/theme/metrics.h"
+#include "ui/theme/strips.h"
 
 namespace dermis {
 namespace {
@@ -50,11 +51,8 @@ class StateDelegate : public QStyledItemDelegate {
 
 HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_StyledBackground);  // the panel's grey, as for its neighbours
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* strip = new QFrame(this);
-  strip->setProperty("toolStrip", true);
+  QVBoxLayout* column = flushColumn(this);
+  QFrame* strip = toolStrip(this);
   auto* head = new QHBoxLayout(strip);
   head->setContentsMargins(metrics::kMargin, metrics::kGap, metrics::kGap, metrics::kGap);
   auto* state = new QLabel(strip);

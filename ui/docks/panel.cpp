@@ -8,30 +8,26 @@
 #include "ui/rows/group_box.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
+#include "ui/theme/strips.h"
 
 namespace dermis {
 
 Panel::Panel(QWidget* parent) : QWidget(parent) {
-  m_outer = new QVBoxLayout(this);
-  m_outer->setContentsMargins(0, 0, 0, 0);
-  m_outer->setSpacing(0);
+  m_outer = flushColumn(this);
   auto* area = new QScrollArea(this);
   area->setWidgetResizable(true);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
   auto* body = new QWidget(area);
-  m_rows = new QVBoxLayout(body);
-  m_rows->setContentsMargins(0, 0, 0, 0);
-  m_rows->setSpacing(0);
+  m_rows = flushColumn(body);
   area->setWidget(body);
   m_outer->addWidget(area, 1);
 }
 
 QVBoxLayout* Panel::strip() {
   if (m_strip == nullptr) {
-    auto* frame = new QFrame(this);
-    frame->setProperty("toolStrip", true);
+    QFrame* frame = toolStrip(this);
     m_strip = new QVBoxLayout(frame);
     m_strip->setContentsMargins(metrics::kMargin, metrics::kMargin, metrics::kMargin, metrics::kMargin);
     m_strip->setSpacing(metrics::kGap);

@@ -26,6 +26,7 @@
 #include "ui/text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
+#include "ui/theme/strips.h"
 #include "ui/thumbnails.h"
 
 namespace dermis {
@@ -85,8 +86,7 @@ PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& pr
 PresetsPanel::~PresetsPanel() { remember(); }
 
 void PresetsPanel::buildHead() {
-  auto* head = new QFrame(this);
-  head->setProperty("toolStrip", true);
+  QFrame* head = toolStrip(this);
   auto* row = new QHBoxLayout(head);
   row->setContentsMargins(metrics::kMargin, metrics::kMargin, metrics::kMargin, metrics::kMargin);
   row->setSpacing(metrics::kGap);

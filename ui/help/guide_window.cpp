@@ -4,7 +4,9 @@
 #include <QDesktopServices>
 #include <QFile>
 #include <QFileInfo>
+#include <QFrame>
 #include <QHBoxLayout>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
@@ -17,6 +19,7 @@
 
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
+#include "ui/theme/strips.h"
 
 // A static library's resources have to be asked for, and from outside any namespace.
 static void loadGuide() { Q_INIT_RESOURCE(guide); }
@@ -52,11 +55,8 @@ GuideWindow::GuideWindow(const Shortcuts& shortcuts, QWidget* parent)
   setObjectName(QStringLiteral("guide"));
   setWindowTitle(tr("Guide — Dermis"));
   resize(1060, 780);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* strip = new QFrame(this);
-  strip->setProperty("toolStrip", true);
+  QVBoxLayout* column = flushColumn(this);
+  QFrame* strip = toolStrip(this);
   auto* head = new QHBoxLayout(strip);
   head->setContentsMargins(metrics::kMargin, metrics::kMargin, metrics::kMargin, metrics::kMargin);
   m_search = new QLineEdit(strip);
@@ -94,6 +94,7 @@ GuideWindow::GuideWindow(const Shortcuts& shortcuts, QWidget* parent)
   connect(m_contents, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
     if (item != nullptr) open(item->data(0, kPageRole).toString(), item->data(0, kHeadingRole).toString());
   });
+  connect(split, &QSplitter::splitterMoved, this, &GuideWindow::fitPictures);
   connect(m_search, &QLineEdit::textChanged, this, &GuideWindow::search);
   connect(m_search, &QLineEdit::returnPressed, this, &GuideWindow::findNext);
   connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
@@ -176,7 +177,34 @@ void GuideWindow::open(const QString& page, const QString& heading) {
       QTextCursor(block).setBlockFormat(format);
     }
   }
+  fitPictures();
   showHeading(heading);
+}
+
+void GuideWindow::fitPictures() {
+  QTextDocument& document = *m_text->document();
+  const double room = m_text->viewport()->width() - 2.0 * document.documentMargin();
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+    for (auto it = block.begin(); !it.atEnd(); ++it) {
+      QTextImageFormat format = it.fragment().charFormat().toImageFormat();
+      if (!format.isValid()) continue;
+      const QImage picture(kRoot + format.name());
+      if (picture.isNull()) continue;
+      const double width = std::min(room, static_cast<double>(picture.width()));
+      if (qFuzzyCompare(format.width(), width)) continue;
+      format.setWidth(width);
+      format.setHeight(width * picture.height() / picture.width());
+      QTextCursor cursor(&document);
+      cursor.setPosition(it.fragment().position());
+      cursor.setPosition(it.fragment().position() + it.fragment().length(), QTextCursor::KeepAnchor);
+      cursor.setCharFormat(format);
+      break;  // the block's fragments are others now; each of our pictures has a block of its own
+    }
+}
+
+void GuideWindow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitPictures();
 }
 
 void GuideWindow::showHeading(const QString& heading) {

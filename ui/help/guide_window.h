@@ -22,11 +22,16 @@ class GuideWindow : public QWidget {
   void open(const QString& page, const QString& heading = {});
   [[nodiscard]] QString page() const { return m_page; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void fillContents();
   void search();
   void findNext();
   void showHeading(const QString& heading);
+  /// No picture is wider than the page.
+  void fitPictures();
   [[nodiscard]] QString pageText(const QString& page) const;
   [[nodiscard]] QString keysPage() const;
 

@@ -192,6 +192,7 @@ void MainWindow::refreshTitle() {
 void MainWindow::refreshActivity() {
   const QString loading = m_tasks.title();
   const bool busy = !loading.isEmpty() || !m_jobTitle.isEmpty();
+  m_presets->thumbnails().hold(busy);
   m_progress->setVisible(busy);
   m_cancel->setVisible(busy);
   if (!m_tasks.busy(QStringLiteral("picture"))) m_pictureFraction = -1.0;

@@ -62,12 +62,7 @@ void MeasureTool::paint(QPainter& p, const Projection& view) {
   }
   const QString words =
       QCoreApplication::translate("dermis::MeasureTool", "%1 mm").arg(*length, 0, 'f', *length < 100.0 ? 2 : 1);
-  const QRectF box(b->x() + 10.0, b->y() - 10.0, p.fontMetrics().horizontalAdvance(words) + 12.0, 20.0);
-  p.setPen(Qt::NoPen);
-  p.setBrush(QColor(20, 20, 20, 180));
-  p.drawRoundedRect(box, 3.0, 3.0);
-  p.setPen(QColor(235, 235, 235));
-  p.drawText(box, Qt::AlignCenter, words);
+  paintTag(p, *b + QPointF(10.0, 0.0), Qt::AlignRight, words);
 }
 
 }  // namespace dermis

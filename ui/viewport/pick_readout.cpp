@@ -130,12 +130,7 @@ void PickReadout::paint(QPainter& p, const Projection& view) {
     p.setPen(QPen(QColor(240, 240, 240), 1.2));
     p.drawEllipse(*at, 5.0, 5.0);
     const QString words = QStringLiteral("%1  %2").arg(i + 1).arg(m_pins[i].text);
-    const QRectF box(at->x() + 9.0, at->y() - 10.0, p.fontMetrics().horizontalAdvance(words) + 10.0, 20.0);
-    p.setPen(Qt::NoPen);
-    p.setBrush(QColor(20, 20, 20, 160));
-    p.drawRoundedRect(box, 3.0, 3.0);
-    p.setPen(QColor(225, 225, 225));
-    p.drawText(box, Qt::AlignCenter, words);
+    paintTag(p, *at + QPointF(9.0, 0.0), Qt::AlignRight, words);
   }
 }
 

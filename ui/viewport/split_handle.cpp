@@ -67,19 +67,9 @@ void SplitHandle::paint(QPainter& p, const Projection& view) {
     p.drawLine(tip, tip + QPointF(-side * 4.0, -4.0));
     p.drawLine(tip, tip + QPointF(-side * 4.0, 4.0));
   }
-  const QFontMetrics metrics = p.fontMetrics();
-  const auto label = [&](const QString& words, bool left) {
-    if (words.isEmpty()) return;
-    const double wide = metrics.horizontalAdvance(words) + 16.0;
-    const QRectF box(left ? x - wide - 8.0 : x + 8.0, 10.0, wide, metrics.height() + 6.0);
-    p.setPen(Qt::NoPen);
-    p.setBrush(QColor(20, 20, 20, 160));
-    p.drawRoundedRect(box, 3.0, 3.0);
-    p.setPen(QColor(225, 225, 225));
-    p.drawText(box, Qt::AlignCenter, words);
-  };
-  label(m_left, true);
-  label(m_right, false);
+  constexpr double kTop = 21.0;
+  if (!m_left.isEmpty()) paintTag(p, {x - 8.0, kTop}, Qt::AlignLeft, m_left);
+  if (!m_right.isEmpty()) paintTag(p, {x + 8.0, kTop}, Qt::AlignRight, m_right);
 }
 
 }  // namespace dermis

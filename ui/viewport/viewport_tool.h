@@ -2,9 +2,12 @@
 // view.
 #pragma once
 
+#include <Qt>
+
 class QMouseEvent;
 class QPainter;
 class QPointF;
+class QString;
 class QWheelEvent;
 
 namespace dermis {
@@ -30,5 +33,8 @@ class ViewportTool {
   virtual void leave();
   virtual void paint(QPainter& painter, const Projection& projection) = 0;
 };
+
+/// Words in a dark box over the picture; `side` says where of `at` the box stands (Qt::AlignLeft: to the left of it).
+void paintTag(QPainter& painter, const QPointF& at, Qt::AlignmentFlag side, const QString& words);
 
 }  // namespace dermis
