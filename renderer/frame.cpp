@@ -62,6 +62,27 @@ std::vector<glm::vec3> visibleLampPositions(const ResolvedScene& scene, double s
   return positions;
 }
 
+/// Does something within each rectangle alone.
+template <class Draw>
+void inAreas(const std::vector<PixelArea>& areas, Draw draw) {
+  glEnable(GL_SCISSOR_TEST);
+  for (const PixelArea& area : areas) {
+    glScissor(area.lower.x, area.lower.y, area.upper.x - area.lower.x, area.upper.y - area.lower.y);
+    draw();
+  }
+  glDisable(GL_SCISSOR_TEST);
+}
+
+/// Takes away what was drawn over the background there.
+void clearBeauty(const FrameContext& frame, const std::vector<PixelArea>& areas) {
+  const glm::vec4 background = backgroundClearColour(frame);
+  frame.targets.drawToBeauty();
+  frame.targets.scene().bind();
+  glViewport(0, 0, frame.request.size.x, frame.request.size.y);
+  inAreas(areas, [&] { glClearBufferfv(GL_COLOR, 0, &background[0]); });
+  frame.targets.drawToAll();
+}
+
 }  // namespace
 
 Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software)
@@ -90,6 +111,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     return false;
   }
   if (*prepared) m_samples = 0;
+  if (*prepared || !request.moving) m_surfaceKey.reset();
 
   // A still picture converges as long as nothing that it shows changes.
   const bool animates = std::any_of(scene->scene.lights.begin(), scene->scene.lights.end(), isAnimated);
@@ -129,11 +151,24 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      statistics);
       m_shadows.bind();
     }
-    uploadFrameBlock(frame, statistics);
+    const FrameBlock block = uploadFrameBlock(frame, statistics);
     resources.bindLight();
-    clear(frame);
     const bool deferred = m_software && deferringPays(*scene) && m_targets.prepareSurfaces(request.moving).has_value();
-    if (deferred) {
+    {
+      const auto timed = m_timer.pass("vertices");
+      m_vertexLight.update(frame, block, m_shadows.revision(), deferred && request.moving);
+    }
+    std::optional<SurfaceKey> key = deferred && request.moving ? surfaceKey(frame) : std::nullopt;
+    const bool surfacesAreKept = key.has_value() && key == m_surfaceKey;
+    m_surfaceKey = std::move(key);
+    const std::vector<PixelArea> drawnOver = surfacesAreKept ? transparentAreas(frame) : std::vector<PixelArea>{};
+    if (surfacesAreKept) {
+      ++statistics.surfacesKept;
+      clearBeauty(frame, drawnOver);
+    } else {
+      clear(frame);
+    }
+    if (deferred && !surfacesAreKept) {
       const auto timed = m_timer.pass("geometry");
       geometryPass(frame);
     }
@@ -152,7 +187,10 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     {
       const auto timed = m_timer.pass("sky");
       m_targets.drawToBeauty();
-      skyPass(frame);
+      if (surfacesAreKept)
+        inAreas(drawnOver, [&] { skyPass(frame); });
+      else
+        skyPass(frame);
       if (hasVisibleLamps(*scene)) lampPass(frame);
     }
     if (hasTransparentParts(resources)) {
@@ -201,7 +239,30 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   return true;
 }
 
-void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics) {
+std::optional<Frame::SurfaceKey> Frame::surfaceKey(const FrameContext& frame) const {
+  const FrameRequest& request = frame.request;
+  // Lamps and reference objects are drawn into the sky, a displaced surface is its material's.
+  if (hasVisibleLamps(frame.scene) || request.references.balls || request.references.chart) return std::nullopt;
+  const EnvironmentSource& environment = frame.scene.scene.environment;
+  SurfaceKey key{request.size,
+                 request.camera,
+                 m_targets.images(),
+                 m_targets.precise(),
+                 frame.resources.geometryRevision(),
+                 m_vertexLight.revision(),
+                 frame.resources.environmentRevision(),
+                 environment.rotationDegrees,
+                 environment.exposureStops,
+                 environment.background,
+                 {}};
+  for (const SlotResources& slot : frame.resources.slots()) {
+    if (slot.displaced) return std::nullopt;
+    key.slots.emplace_back(slot.kind, slot.cullBackFaces);
+  }
+  return key;
+}
+
+FrameBlock Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics) {
   FrameBlock block;
   const CameraMatrices& camera = frame.camera;
   block.view = camera.view;
@@ -237,6 +298,7 @@ void Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statis
       packSample(request.moving ? 0 : m_samples, m_targetSamples, request.moving, request.withoutSubsurface);
   m_sampleBlockBuffer.update(0, bytesOf(sample));
   m_sampleBlockBuffer.bindUniform(kSampleBinding);
+  return block;
 }
 
 void Frame::clear(const FrameContext& frame) const {

@@ -12,6 +12,7 @@
 #include "passes/render_targets.h"
 #include "passes/scene_resources.h"
 #include "passes/shadow_pass.h"
+#include "passes/vertex_light.h"
 #include "renderer.h"
 
 namespace dermis {
@@ -51,8 +52,24 @@ class Frame {
     bool operator==(const StillKey&) const = default;
   };
 
-  void uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
+  /// What the images of a moving surface and the sky round it depend on: where none of it has changed since the last
+  /// frame, because a material is being edited, they are kept.
+  struct SurfaceKey {
+    glm::ivec2 size{0};
+    Camera camera;
+    SceneImages images = 0;
+    bool precise = false;
+    std::uint64_t geometry = 0, light = 0, environment = 0;
+    float rotationDegrees = 0.0F, exposureStops = 0.0F;
+    Background background;
+    std::vector<std::pair<DrawKind, bool>> slots;  ///< kind, whether back faces are culled
+    bool operator==(const SurfaceKey&) const = default;
+  };
+
+  FrameBlock uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
   void clear(const FrameContext& frame) const;
+  /// Null where the surface's images have to be drawn each time.
+  [[nodiscard]] std::optional<SurfaceKey> surfaceKey(const FrameContext& frame) const;
   void show(const FrameContext& frame, bool fromSums);
 
   gl::ShaderLibrary& m_shaders;
@@ -60,12 +77,14 @@ class Frame {
   bool m_software;
   RenderTargets m_targets;
   ShadowPass m_shadows;
+  VertexLight m_vertexLight;
   DisplayPass m_display;
   gl::GpuTimer m_timer;
   gl::VertexArray m_noVertices;
   gl::Buffer m_frameBlockBuffer, m_sampleBlockBuffer;
   std::vector<std::byte> m_frameBlockBytes;
   StillKey m_stillKey;
+  std::optional<SurfaceKey> m_surfaceKey;  ///< of what the images of a moving surface hold
   SceneImages m_kept = kBeautyOnly;
   int m_samples = 0;  ///< in the sums
   int m_targetSamples = 1;

@@ -13,6 +13,7 @@
 #include "passes/shadow_pass.h"
 #include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
+#include "passes/vertex_light.h"
 
 namespace dermis {
 
@@ -150,8 +151,8 @@ class GlRenderer final : public Renderer {
       // A picture that moves or doesn't, drawn in two steps.
       const auto twoSteps = [&](bool move, std::vector<gl::ProgramSources>& list) {
         list.push_back(deferredProgram(scene, i, move, surfaceOutputs(scene, withAovs, false)));
-        list.push_back(geometryProgram(scene, i, move, false));
-        if (mayDisplace) list.push_back(geometryProgram(scene, i, move, true));
+        list.push_back(geometryProgram(move, false));
+        if (mayDisplace) list.push_back(geometryProgram(move, true));
       };
       if (deferred && !blended) {
         twoSteps(false, need);
@@ -160,6 +161,8 @@ class GlRenderer final : public Renderer {
         need.push_back(surface);
         if (mayDisplace) need.push_back(tessellated(surface));
       }
+      need.push_back(vertexLightProgram(scene, i, false));
+      if (deferred && m_hasWindow) moving.push_back(vertexLightProgram(scene, i, true));
       if (castShadows) need.push_back(casterProgram(hasCutOuts(scene.slots[i].material)));
       if (mayDisplace) need.push_back(displacedCasterProgram());
     }

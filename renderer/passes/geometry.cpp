@@ -15,9 +15,8 @@ struct Vertex {
 
 /// A VertexBake in half floats, as resources/shaders/mesh_bake.glsl takes it.
 using BakedVertex = std::array<std::uint16_t, 28>;
-// Displacement's attributes lie between.
-constexpr std::array<GLuint, 7> kBakedAttributes = {3, 4, 5, 6, 7, 11, 12};
-constexpr GLuint kBakedBinding = 1;
+/// Of three vec4 each: Vertex, and what vertex_light.comp leaves of its light.
+constexpr GLuint kFirstLightAttribute = 3, kLightBinding = 1;
 constexpr std::size_t kThicknessAt = 9, kFarAt = 10, kBounceAt = 19;
 
 BakedVertex packed(const VertexBake& bake) {
@@ -48,45 +47,45 @@ Geometry Geometry::upload(const Model& model) {
   const GLuint id = geometry.m_vertexArray.id();
   glVertexArrayVertexBuffer(id, 0, geometry.m_vertices.id(), 0, sizeof(Vertex));
   glVertexArrayElementBuffer(id, geometry.m_indices.id());
-  for (GLuint attribute = 0; attribute < 3; ++attribute) {
+  geometry.m_light = gl::Buffer::writable("light at vertices", vertices.size() * sizeof(Vertex));
+  glVertexArrayVertexBuffer(id, kLightBinding, geometry.m_light.id(), 0, sizeof(Vertex));
+  for (GLuint attribute = 0; attribute < 6; ++attribute) {
+    const GLuint within = attribute % kFirstLightAttribute;
     glEnableVertexArrayAttrib(id, attribute);
-    glVertexArrayAttribFormat(id, attribute, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(attribute * sizeof(glm::vec4)));
-    glVertexArrayAttribBinding(id, attribute, 0);
+    glVertexArrayAttribFormat(id, attribute, 4, GL_FLOAT, GL_FALSE, static_cast<GLuint>(within * sizeof(glm::vec4)));
+    glVertexArrayAttribBinding(id, attribute, attribute < kFirstLightAttribute ? 0 : kLightBinding);
   }
   for (const ModelPart& part : model.parts) {
     Bounds bounds;
-    for (std::uint32_t i = 0; i < part.indexCount; ++i)
-      bounds.grow(model.positions[model.indices[part.firstIndex + i]]);
+    std::uint32_t first = part.indexCount > 0 ? ~0U : 0U, end = 0;
+    for (std::uint32_t i = 0; i < part.indexCount; ++i) {
+      const std::uint32_t vertex = model.indices[part.firstIndex + i];
+      bounds.grow(model.positions[vertex]);
+      first = std::min(first, vertex);
+      end = std::max(end, vertex + 1);
+    }
     geometry.m_partBounds.push_back(bounds);
+    geometry.m_vertexRanges.emplace_back(first, end - first);
   }
   return geometry;
 }
 
 void Geometry::setBake(const MeshBake* bake) {
-  const GLuint id = m_vertexArray.id();
-  const std::size_t vertexBytes = sizeof(BakedVertex);
-  if (bake != nullptr) {
-    std::vector<BakedVertex> vertices;
-    vertices.reserve(bake->vertices.size());
-    for (const VertexBake& vertex : bake->vertices) vertices.push_back(packed(vertex));
-    m_baked = gl::Buffer::fixed("mesh bake", std::as_bytes(std::span(vertices)));
-    glVertexArrayVertexBuffer(id, kBakedBinding, m_baked.id(), 0, static_cast<GLsizei>(vertexBytes));
-  }
-  GLuint offset = 0;
-  for (const GLuint attribute : kBakedAttributes) {
-    (bake != nullptr ? glEnableVertexArrayAttrib : glDisableVertexArrayAttrib)(id, attribute);
-    glVertexArrayAttribFormat(id, attribute, 4, GL_HALF_FLOAT, GL_FALSE, offset);
-    glVertexArrayAttribBinding(id, attribute, kBakedBinding);
-    offset += 4 * sizeof(std::uint16_t);
-  }
+  m_baked = gl::Buffer();
+  if (bake == nullptr) return;
+  std::vector<BakedVertex> vertices;
+  vertices.reserve(bake->vertices.size());
+  for (const VertexBake& vertex : bake->vertices) vertices.push_back(packed(vertex));
+  m_baked = gl::Buffer::fixed("mesh bake", std::as_bytes(std::span(vertices)));
 }
 
-void Geometry::bind() const {
-  m_vertexArray.bind();
-  // What vertices read that have nothing baked: these values belong to the context, not to the array.
-  for (const GLuint attribute : kBakedAttributes) glVertexAttrib4f(attribute, 0.0F, 0.0F, 0.0F, 0.0F);
-  glVertexAttrib4f(kBakedAttributes[kThicknessAt / 4], 0.0F, -1.0F, 0.0F, 0.0F);
+void Geometry::bindForLight() const {
+  m_vertices.bindStorage(0);
+  m_light.bindStorage(1);
+  (m_baked ? m_baked : m_vertices).bindStorage(2);  // never read where nothing is baked
 }
+
+void Geometry::bind() const { m_vertexArray.bind(); }
 
 void Geometry::draw(const ModelPart& part) const {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,

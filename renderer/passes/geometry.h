@@ -18,6 +18,11 @@ class Geometry {
 
   /// What was baked of the model's vertices, or null: then they know nothing.
   void setBake(const MeshBake* bake);
+  [[nodiscard]] bool hasBake() const { return static_cast<bool>(m_baked); }
+  /// Vertices, their light and what was baked of them, as vertex_light.comp takes them.
+  void bindForLight() const;
+  /// The vertices that a part's triangles use: first and count.
+  [[nodiscard]] glm::uvec2 vertexRange(std::size_t part) const { return m_vertexRanges.at(part); }
 
   void bind() const;
   void draw(const ModelPart& part) const;
@@ -32,8 +37,9 @@ class Geometry {
 
  private:
   gl::VertexArray m_vertexArray;
-  gl::Buffer m_vertices, m_indices, m_baked;
+  gl::Buffer m_vertices, m_indices, m_baked, m_light;
   std::vector<Bounds> m_partBounds;
+  std::vector<glm::uvec2> m_vertexRanges;
   /// A part's triangles that lie on no seam, then those that do, whose seams have consecutive numbers.
   struct Patches {
     std::uint32_t firstIndex = 0, plainIndices = 0, seamIndices = 0;

@@ -109,18 +109,15 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
   return true;
 }
 
-void RenderTargets::prepareSurfaceOrSpread() {
-  // 32 bits, because coordinates and depths need them.
-  if (!m_surfaceOrSpread)
-    m_surfaceOrSpread = gl::Texture::create(
-        {.format = GL_RGBA32F, .width = m_size.x, .height = m_size.y, .label = "surface, then spread along one axis"});
-}
-
 Result<void> RenderTargets::prepareSpread() {
   if (m_spreading) return {};
-  prepareSurfaceOrSpread();
+  // As fine as what spreads. Not an image of the surface, which the next moving frame may want again.
+  m_spread = gl::Texture::create({.format = m_precise ? GLenum{GL_RGBA32F} : GLenum{GL_RGBA16F},
+                                  .width = m_size.x,
+                                  .height = m_size.y,
+                                  .label = "spread along one axis"});
   m_spreading = gl::Framebuffer::create("spread along one axis");
-  m_spreading.attachColour(0, m_surfaceOrSpread);
+  m_spreading.attachColour(0, m_spread);
   m_spreading.attachDepth(m_depth);
   m_spreading.drawTo(1);
   return m_spreading.check();
@@ -129,10 +126,10 @@ Result<void> RenderTargets::prepareSpread() {
 Result<void> RenderTargets::prepareSurfaces(bool moving) {
   SurfaceImages& images = moving ? m_movingSurfaces : m_stillSurfaces;
   if (images.framebuffer) return {};
-  prepareSurfaceOrSpread();
   const auto image = [&](GLenum format, const char* label) {
     return gl::Texture::create({.format = format, .width = m_size.x, .height = m_size.y, .label = label});
   };
+  if (!m_surface) m_surface = image(GL_RGBA32F, "surface");  // coordinates need 32 bits
   if (!m_tangent) m_tangent = image(GL_RGBA16F, "tangent");
   if (!m_far) m_far = image(GL_RGBA16F, "far side");
   // What is seen for a moment may be coarse; writing more costs a moving frame a tenth.
@@ -141,8 +138,7 @@ Result<void> RenderTargets::prepareSurfaces(bool moving) {
   if (!moving) images.gradients = image(GL_RGBA16F, "gradients of uv");
   images.framebuffer = gl::Framebuffer::create(moving ? "moving surfaces" : "surfaces");
   int count = 0;
-  for (const gl::Texture* each :
-       {&m_surfaceOrSpread, &m_tangent, &images.sky, &m_far, &images.bounce, &images.gradients})
+  for (const gl::Texture* each : {&m_surface, &m_tangent, &images.sky, &m_far, &images.bounce, &images.gradients})
     if (*each) images.framebuffer.attachColour(static_cast<GLuint>(count++), *each);
   images.framebuffer.attachDepth(m_depth);
   images.framebuffer.drawTo(count);
@@ -152,7 +148,7 @@ Result<void> RenderTargets::prepareSurfaces(bool moving) {
 void RenderTargets::bindSurfaces(bool moving) const {
   const SurfaceImages& images = moving ? m_movingSurfaces : m_stillSurfaces;
   constexpr GLuint kFirstUnit = 21;
-  m_surfaceOrSpread.bind(kFirstUnit);
+  m_surface.bind(kFirstUnit);
   m_tangent.bind(kFirstUnit + 1);
   m_depth.bind(kFirstUnit + 2);
   constexpr GLuint kBakedUnit = 29;

@@ -65,7 +65,7 @@ class RenderTargets {
   /// depth that both its test and its shaders read and nothing writes.
   [[nodiscard]] const gl::Framebuffer& composed() const { return m_composed; }
   [[nodiscard]] const gl::Framebuffer& spreading() const { return m_spreading; }
-  [[nodiscard]] const gl::Texture& spread() const { return m_surfaceOrSpread; }
+  [[nodiscard]] const gl::Texture& spread() const { return m_spread; }
   [[nodiscard]] const gl::Texture& depth() const { return m_depth; }
   /// Coordinates and normal, tangent, depth: on the units that surface.frag reads them from.
   void bindSurfaces(bool moving) const;
@@ -85,7 +85,6 @@ class RenderTargets {
 
  private:
   /// With depth.
-  void prepareSurfaceOrSpread();
   [[nodiscard]] gl::Framebuffer framebufferOf(std::span<const SceneImage> images, const char* label) const;
 
   glm::ivec2 m_size{0};
@@ -95,8 +94,8 @@ class RenderTargets {
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Texture m_surfaceOrSpread;  ///< diffusion begins when the surfaces have been shaded
-  gl::Texture m_tangent, m_far;
+  gl::Texture m_spread;
+  gl::Texture m_surface, m_tangent, m_far;
   struct SurfaceImages {
     gl::Texture sky, bounce, gradients;
     gl::Framebuffer framebuffer;

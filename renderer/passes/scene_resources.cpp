@@ -169,6 +169,7 @@ void SceneResources::upload(RenderStatistics& statistics, Warnings& messages) {
   m_textureMessages.clear();
   if (m_model != m_scene->model) {
     m_geometry = Geometry::upload(*m_scene->model);
+    ++m_geometryRevision;
     m_model = m_scene->model;
     m_slots.clear();  // another model's maps must not stand in for this one's
     m_bake = nullptr;
@@ -198,6 +199,7 @@ void SceneResources::uploadBake() {
   if (bake && bake->vertices.size() != m_model->positions.size()) bake = nullptr;
   if (bake == m_bake) return;
   m_geometry->setBake(bake.get());
+  ++m_geometryRevision;
   m_bake = std::move(bake);
 }
 

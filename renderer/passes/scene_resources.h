@@ -60,6 +60,8 @@ class SceneResources {
   [[nodiscard]] bool isSoftware() const { return m_software; }
   [[nodiscard]] const ResolvedScene* scene() const { return m_scene.get(); }
   [[nodiscard]] const Geometry& geometry() const { return *m_geometry; }
+  /// Grows whenever geometry() is another, or something else was baked of it.
+  [[nodiscard]] std::uint64_t geometryRevision() const { return m_geometryRevision; }
   /// The model's, grown by what is displaced.
   [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
   [[nodiscard]] const std::vector<SlotResources>& slots() const { return m_slots; }
@@ -108,6 +110,7 @@ class SceneResources {
 
   std::shared_ptr<const Model> m_model;  ///< the one m_geometry is of
   std::optional<Geometry> m_geometry;
+  std::uint64_t m_geometryRevision = 0;
   MeshBakes m_meshBakes;
   std::shared_ptr<const MeshBake> m_bake;  ///< the one m_geometry has
   Bounds m_bounds;

@@ -260,6 +260,7 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
   glDisable(GL_DEPTH_CLAMP);
   face.drawn = true;
   ++statistics.shadowMapsDrawn;
+  ++m_revision;
 }
 
 void ShadowPass::upload(const ShadowSample& sample) {
@@ -284,6 +285,7 @@ void ShadowPass::upload(const ShadowSample& sample) {
   if (std::ranges::equal(bytes, m_blockBytes)) return;
   m_blockBuffer.update(0, bytes);
   m_blockBytes.assign(bytes.begin(), bytes.end());
+  ++m_revision;
 }
 
 void ShadowPass::bind() const {

@@ -44,6 +44,8 @@ class ShadowPass {
   void draw(const FrameContext& frame, const ShadowSample& sample, RenderStatistics& statistics);
   /// The enabled lights, in order, as packLights counts them.
   [[nodiscard]] std::span<const LightPoint> points() const { return m_points; }
+  /// Grows whenever a map is drawn or read otherwise.
+  [[nodiscard]] std::uint64_t revision() const { return m_revision; }
   /// The block and the maps, on their binding and unit.
   void bind() const;
 
@@ -83,7 +85,8 @@ class ShadowPass {
   std::vector<std::vector<Face>> m_faces;  ///< by light
   std::vector<bool> m_fresh;               ///< by light: draw it anew in this sample
   std::vector<int> m_taken;                ///< by light: points taken since the picture began
-  std::size_t m_turn = 0;                  ///< the light that is next to be drawn anew
+  std::uint64_t m_revision = 0;
+  std::size_t m_turn = 0;  ///< the light that is next to be drawn anew
 
   gl::Texture m_maps;
   gl::Framebuffer m_framebuffer;

@@ -61,9 +61,9 @@ void beginOpaque(const FrameContext& frame) {
 
 constexpr const char* kGradients = "DERMIS_GRADIENTS";  // how far a map moves from pixel to pixel is kept
 
-std::string mapsDefine(int maps) { return "DERMIS_MAPS " + std::to_string(maps); }
-
 }  // namespace
+
+std::string mapsDefine(int maps) { return "DERMIS_MAPS " + std::to_string(maps); }
 
 bool isSplit(const ResolvedScene& scene) {
   return std::any_of(scene.slots.begin(), scene.slots.end(), [](const ResolvedMaterial& slot) {
@@ -99,15 +99,11 @@ void surfacePass(const FrameContext& frame) {
   frame.resources.unbindSamplers();
 }
 
-gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool moving, bool displaced) {
+gl::ProgramSources geometryProgram(bool moving, bool displaced) {
   gl::ProgramSources sources;
   sources.vertex = "surface.vert";
   sources.fragment = "geometry.frag";
-  if (!moving) {
-    sources.defines = {std::string(kGradients)};
-  } else if (scene.slots[slot].material.model == ShadingModel::Skin) {
-    sources.defines = {"DERMIS_FAR_LAMPS", mapsDefine(presentMaps(scene, slot))};
-  }
+  if (!moving) sources.defines = {std::string(kGradients)};
   return displaced ? tessellated(std::move(sources)) : sources;
 }
 
@@ -143,8 +139,7 @@ void geometryPass(const FrameContext& frame) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const SlotResources& slot = slots[parts[i].slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program =
-        frame.useProgram(geometryProgram(frame.scene, parts[i].slot, frame.request.moving, slot.displaced));
+    const gl::Program* program = frame.useProgram(geometryProgram(frame.request.moving, slot.displaced));
     if (program == nullptr) continue;
     frame.resources.bindSlot(slot);
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
@@ -189,6 +184,15 @@ void shadingPass(const FrameContext& frame) {
 bool hasTransparentParts(const SceneResources& resources) {
   return std::any_of(resources.slots().begin(), resources.slots().end(),
                      [](const SlotResources& slot) { return slot.kind != DrawKind::Opaque; });
+}
+
+std::vector<PixelArea> transparentAreas(const FrameContext& frame) {
+  const auto& parts = frame.scene.model->parts;
+  std::vector<PixelArea> areas;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (frame.resources.slots()[parts[i].slot].kind != DrawKind::Opaque)
+      areas.push_back(screenArea(frame.camera, frame.resources.geometry().partBounds()[i], frame.request.size));
+  return areas;
 }
 
 void transparentPass(const FrameContext& frame) {

@@ -1,6 +1,9 @@
 // The model: opaque parts first, blended ones after the sky.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "passes/frame_context.h"
 
 namespace dermis {
@@ -17,6 +20,9 @@ enum class SurfaceOutputs { Picture, Split, Everything, BlendedEverything };
 [[nodiscard]] gl::ProgramSources surfaceProgram(ShadingModel model, SurfaceOutputs outputs,
                                                 std::optional<int> constantMaps = std::nullopt);
 
+/// As a define: the maps that are there, for programs that know them.
+[[nodiscard]] std::string mapsDefine(int maps);
+
 /// Opaque parts, depth tested and written.
 void surfacePass(const FrameContext& frame);
 
@@ -28,8 +34,7 @@ void shadingPass(const FrameContext& frame);
 /// Whether that is possible (few opaque slots, no cut-outs) and pays (many triangles).
 [[nodiscard]] bool deferringPays(const ResolvedScene& scene);
 /// Their programs, of a slot, with its present maps as a constant.
-[[nodiscard]] gl::ProgramSources geometryProgram(const ResolvedScene& scene, std::size_t slot, bool moving,
-                                                 bool displaced);
+[[nodiscard]] gl::ProgramSources geometryProgram(bool moving, bool displaced);
 [[nodiscard]] gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot, bool moving,
                                                  SurfaceOutputs outputs);
 
@@ -37,5 +42,7 @@ void shadingPass(const FrameContext& frame);
 /// then its front ones; its own triangles are not sorted further.
 void transparentPass(const FrameContext& frame);
 [[nodiscard]] bool hasTransparentParts(const SceneResources& resources);
+/// The rectangles that they lie in.
+[[nodiscard]] std::vector<PixelArea> transparentAreas(const FrameContext& frame);
 
 }  // namespace dermis

@@ -7,13 +7,35 @@
 #include "frame_block.glsl"
 #include "lights.glsl"
 
-layout(location = 3) in vec4 a_hidden_0;       // hidden sky, coefficients 0 to 3
-layout(location = 4) in vec4 a_hidden_4;       // 4 to 7
-layout(location = 5) in vec4 a_hidden_8;       // 8; thickness in mm, negative where nothing is known; far side 0 and 1
-layout(location = 6) in vec4 a_far_2;          // far side, 2 to 5
-layout(location = 7) in vec4 a_far_6;          // 6 to 8; bounce 0
-layout(location = 11) in vec4 a_bounce_1;      // 1 to 4
-layout(location = 12) in vec4 a_bounce_5;      // 5 to 8
+// A vertex's vectors, four coefficients each (VertexBake; halves, two a word).
+layout(std430, binding = 2) readonly buffer MeshBake { uvec2 u_mesh_bake[]; };
+
+vec4 a_hidden_0;  // hidden sky, coefficients 0 to 3
+vec4 a_hidden_4;  // 4 to 7
+vec4 a_hidden_8;  // 8; thickness in mm, negative where nothing is known; far side 0 and 1
+vec4 a_far_2;     // far side, 2 to 5
+vec4 a_far_6;     // 6 to 8; bounce 0
+vec4 a_bounce_1;  // 1 to 4
+vec4 a_bounce_5;  // 5 to 8
+
+vec4 bakedFour(uint vertex, uint number) {
+  uvec2 halves = u_mesh_bake[7u * vertex + number];
+  return vec4(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y));
+}
+
+// Has to be called before anything else here; where nothing is baked, vertices know nothing.
+void readMeshBake(uint vertex, bool baked) {
+  a_hidden_0 = a_hidden_4 = a_far_2 = a_far_6 = a_bounce_1 = a_bounce_5 = vec4(0.0);
+  a_hidden_8 = vec4(0.0, -1.0, 0.0, 0.0);
+  if (!baked) return;
+  a_hidden_0 = bakedFour(vertex, 0u);
+  a_hidden_4 = bakedFour(vertex, 1u);
+  a_hidden_8 = bakedFour(vertex, 2u);
+  a_far_2 = bakedFour(vertex, 3u);
+  a_far_6 = bakedFour(vertex, 4u);
+  a_bounce_1 = bakedFour(vertex, 5u);
+  a_bounce_5 = bakedFour(vertex, 6u);
+}
 
 struct BakedSky {
   vec3 share;      // the environment's irradiance with the mesh's own shadow over what it is without

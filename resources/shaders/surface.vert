@@ -1,12 +1,12 @@
 // Geometry to the screen. Model transforms were applied when the file was read, so model space is world space.
-#include "mesh_bake.glsl"
-#ifdef DERMIS_FAR_LAMPS
-#include "models/skin.glsl"
-#endif
+#include "frame_block.glsl"
 
 layout(location = 0) in vec4 a_position_u;
 layout(location = 1) in vec4 a_normal_v;
 layout(location = 2) in vec4 a_tangent;
+layout(location = 3) in vec4 a_sky;  // VertexLight of vertex_light.comp
+layout(location = 4) in vec4 a_far;
+layout(location = 5) in vec4 a_bounce;
 #ifdef DERMIS_DISPLACED
 layout(location = 8) in vec4 a_direction;  // DisplacementFrame
 layout(location = 9) in vec3 a_gradient_u;
@@ -31,13 +31,9 @@ void main() {
   v_normal = a_normal_v.xyz;
   v_tangent = a_tangent;
   v_uv = vec2(a_position_u.w, a_normal_v.w);
-  BakedSky sky = bakedSky(a_position_u.xyz, a_normal_v.xyz);
-  v_sky = vec4(sky.share, sky.open);
-  v_far = vec4(sky.far_light, a_hidden_8.y);
-  v_bounce = sky.bounce;
-#ifdef DERMIS_FAR_LAMPS
-  v_far = farSideWithLamps(v_position, normalize(v_normal), v_uv, v_far);
-#endif
+  v_sky = a_sky;
+  v_far = a_far;
+  v_bounce = a_bounce.rgb;
 #ifdef DERMIS_DISPLACED
   v_direction = a_direction;
   v_gradient_u = a_gradient_u;

@@ -182,5 +182,77 @@ TEST_F(MovingPicture, DragsCompileNothing) {
   EXPECT_EQ(m_renderer->statistics().programsCompiled, compiled);
 }
 
+// What was rasterised for the last frame is shaded again where only a material has changed. It must be the frame that
+// is drawn anew, whatever changes; a lens before ball and sky is drawn over both once, not once a frame.
+TEST_F(MovingPicture, WhatIsKeptOfTheLastFrameIsWhatWouldBeDrawnAnew) {
+  RendererOptions options;
+  options.software = true;
+  makeRenderer(options);
+  for (const bool withLamps : {false, true}) {
+    ResolvedScene scene = everything();
+    auto model = std::make_shared<Model>(*scene.model);
+    appendModel(*model, makeSphere(16), {glm::vec3(0.4F), {}, {1.0F, 0.0F, 1.0F}});
+    scene.model = model;
+    scene.slots.push_back({materialOf(ShadingModel::Lens), {}});
+    scene.scene.environment.background.kind = BackgroundKind::Environment;
+    if (!withLamps) scene.scene.lights.clear();
+    MaterialParameters& skin = scene.slots[0].material.parameters;
+    const Window window(m_size);
+    FrameRequest frame = request(scene);
+    frame.moving = true;
+    frame.framebuffer = window.framebuffer.id();
+    const auto picture = [&] {
+      m_renderer->setScene(std::make_shared<ResolvedScene>(scene));
+      EXPECT_TRUE(m_renderer->renderFrame(frame));
+      return window.read();
+    };
+    const auto kept = [&] { return m_renderer->statistics().surfacesKept; };
+    show(scene);
+    std::vector<std::uint8_t> before = picture();
+    struct Edit {
+      const char* name;
+      std::function<void()> make;
+      bool changesLightAtVertices;  // where lamps shine through
+      bool changesGeometry;
+    };
+    const std::vector<Edit> edits = {
+        {"roughness", [&] { skin.specularPerceptualRoughness += 0.2F; }, true, false},
+        {"scale", [&] { skin.subsurfaceScale *= 3.0F; }, true, false},
+        {"normal strength", [&] { skin.surfaceNormalStrength = 0.2F; }, true, false},
+        {"thickness", [&] { skin.transmissionThicknessMaxMm = 4.0F; }, true, false},
+        {"tint",
+         [&] {
+           skin.transmissionTint.rgb = {1.0F, 0.2F, 0.2F};
+         },
+         true, false},
+        {"exposure", [&] { scene.scene.environment.exposureStops = 1.0F; }, true, true},
+        {"rotation", [&] { scene.scene.environment.rotationDegrees = 70.0F; }, true, true},
+        {"background", [&] { scene.scene.environment.background.kind = BackgroundKind::Color; }, false, true},
+        {"camera", [&] { frame.camera.position.x += 0.3F; }, false, true},
+        {"a lamp",
+         [&] {
+           scene.scene.lights.push_back(pointLight({0.5F, 2.0F, 2.0F}, 4.0F));
+         },
+         true, true}};
+    for (const Edit& edit : edits) {
+      SCOPED_TRACE(edit.name);
+      edit.make();
+      const std::uint64_t keptBefore = kept();
+      const std::vector<std::uint8_t> now = picture();
+      const bool mayKeep = !edit.changesGeometry && !(withLamps && edit.changesLightAtVertices);
+      EXPECT_EQ(kept() - keptBefore, mayKeep ? 1U : 0U);
+      EXPECT_EQ(picture(), now) << "the same again";
+      EXPECT_NE(now, before) << "or this says nothing";
+      // Another camera, and back: nothing is left to keep.
+      const Camera camera = frame.camera;
+      frame.camera.position.y += 1.0F;
+      picture();
+      frame.camera = camera;
+      EXPECT_EQ(picture(), now);
+      before = now;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dermis::test

@@ -47,7 +47,8 @@ struct EmbeddedImage {
 };
 
 /// Invariants that a loader establishes: all vertex arrays have the same length, every index is below it, every
-/// number is finite, normals are unit length, every part's slot exists, indexCount is a multiple of three.
+/// number is finite, normals are unit length, every part's slot exists, indexCount is a multiple of three. The vertices
+/// of a part lie together, and no part of another slot uses them.
 struct Model {
   std::vector<glm::vec3> positions;  ///< scene units, node transforms applied
   std::vector<glm::vec3> normals;

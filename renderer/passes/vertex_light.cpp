@@ -1,0 +1,77 @@
+#include "passes/vertex_light.h"
+
+#include "passes/surface_pass.h"
+
+namespace dermis {
+
+namespace {
+
+template <class T>
+void append(std::vector<std::byte>& key, const T& value) {
+  const auto bytes = bytesOf(value);
+  key.insert(key.end(), bytes.begin(), bytes.end());
+}
+
+bool addsLamps(const ResolvedScene& scene, std::size_t slot, bool withLamps) {
+  return withLamps && scene.slots[slot].material.model == ShadingModel::Skin;
+}
+
+/// All that a part's light is computed from, beside the vertices themselves.
+std::vector<std::byte> keyOf(const FrameContext& frame, std::size_t slot, const FrameBlock& block,
+                             std::uint64_t shadowRevision, bool withLamps) {
+  std::vector<std::byte> key;
+  append(key, block.units);
+  append(key, block.lightCount);
+  append(key, block.lights);
+  append(key, block.environmentHarmonics);
+  const SlotResources& resources = frame.resources.slots()[slot];
+  append(key, resources.draw.meanAlbedo);
+  if (!addsLamps(frame.scene, slot, withLamps)) return key;
+  append(key, block.environmentScale);
+  append(key, shadowRevision);
+  append(key, resources.draw);
+  key.insert(key.end(), resources.materialBytes.begin(), resources.materialBytes.end());
+  append(key, resources.textures[static_cast<std::size_t>(TextureSlot::Thickness)].get());
+  return key;
+}
+
+}  // namespace
+
+gl::ProgramSources vertexLightProgram(const ResolvedScene& scene, std::size_t slot, bool withLamps) {
+  gl::ProgramSources sources;
+  sources.compute = "vertex_light.comp";
+  if (addsLamps(scene, slot, withLamps)) sources.defines = {"DERMIS_FAR_LAMPS", mapsDefine(presentMaps(scene, slot))};
+  return sources;
+}
+
+void VertexLight::update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision,
+                         bool withLamps) {
+  const auto& parts = frame.scene.model->parts;
+  if (m_geometryRevision != frame.resources.geometryRevision()) m_keys.clear();
+  m_geometryRevision = frame.resources.geometryRevision();
+  m_keys.resize(parts.size());
+  const bool lit = withLamps && block.lightCount.x > 0;
+  bool any = false;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::vector<std::byte> key = keyOf(frame, parts[i].slot, block, shadowRevision, lit);
+    const glm::uvec2 range = frame.resources.geometry().vertexRange(i);
+    if (key == m_keys[i] || range.y == 0) continue;
+    const gl::Program* program = frame.useProgram(vertexLightProgram(frame.scene, parts[i].slot, lit));
+    if (program == nullptr) continue;
+    m_keys[i] = std::move(key);
+    if (!any) frame.resources.geometry().bindForLight();
+    any = true;
+    frame.resources.bindSlot(frame.resources.slots()[parts[i].slot]);
+    glUniform1ui(program->uniform("u_first"), range.x);
+    glUniform1ui(program->uniform("u_count"), range.y);
+    glUniform1i(program->uniform("u_baked"), frame.resources.geometry().hasBake() ? 1 : 0);
+    constexpr GLuint kGroup = 64;
+    glDispatchCompute((range.y + kGroup - 1) / kGroup, 1, 1);
+  }
+  if (!any) return;
+  ++m_revision;
+  glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+  frame.resources.unbindSamplers();
+}
+
+}  // namespace dermis
