@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/file_reference.h"
 #include "core/base/random.h"
 #include "core/builtin/skin/head_maps.h"
+#include "core/builtin/skin/map_cache.h"
 #include "core/builtin/skin/skin_detail.h"
 
 namespace dermis {
@@ -73,6 +76,16 @@ std::shared_ptr<const Image> freckles() {
   return image;
 }
 
+/// A fifth of a second's work, wanted at every start.
+std::shared_ptr<const Image> skinDetail() {
+  const std::string key(kSkinDetail);
+  if (auto cached = skin::readCachedMap(key, builtinReference(kSkinDetail)))
+    return std::make_shared<const Image>(std::move(*cached));
+  auto made = std::make_shared<const Image>(skin::makeSkinDetail());
+  skin::writeCachedMap(key, *made);
+  return made;
+}
+
 }  // namespace
 
 Result<std::string_view> builtinMapId(std::string_view reference) {
@@ -91,7 +104,7 @@ std::string builtinMapNames() {
 
 std::shared_ptr<const Image> builtinMap(std::string_view id) {
   if (id == kFreckles) return freckles();
-  if (id == kSkinDetail) return std::make_shared<const Image>(skin::makeSkinDetail());
+  if (id == kSkinDetail) return skinDetail();
   const auto request = parseHeadMap(id);
   return request ? headMap(*request) : nullptr;
 }
