@@ -16,6 +16,7 @@
 
 #include "app/commands/look.h"
 #include "app/commands/metadata.h"
+#include "core/io/udim.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/safety_net.h"
 #include "ui/preferences/preferences.h"
@@ -85,7 +86,11 @@ std::map<std::string, std::string> metadataOf(const ResolvedScene& scene, const 
   read(scene.scene.model.path);
   read(scene.scene.environment.path);
   for (const ResolvedMaterial& slot : scene.slots)
-    for (const TextureBinding& texture : slot.material.textures) read(texture.path);
+    for (const TextureBinding& texture : slot.material.textures) {
+      const std::vector<UdimTile> tiles = udimTiles(texture.path);
+      if (tiles.empty()) read(texture.path);
+      for (const UdimTile& tile : tiles) read(tile.file.string());
+    }
   return cli::pictureMetadata(look, {request.size, request.samples, scene.scene.view.transform, glRenderer, {}});
 }
 

@@ -147,12 +147,15 @@ class GlRenderer final : public Renderer {
       const ShadingModel model = scene.slots[i].material.model;
       const bool blended = isBlended(scene.slots[i].material);
       const bool mayDisplace = canDisplace(scene, i);
-      const gl::ProgramSources surface = surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps);
+      const bool tiled = readsTiles(scene, i);
+      const bool cutOuts = hasCutOuts(scene.slots[i].material);
+      const gl::ProgramSources surface =
+          withTiles(surfaceProgram(model, surfaceOutputs(scene, withAovs, blended), maps), tiled);
       // A picture that moves or doesn't, drawn in two steps.
       const auto twoSteps = [&](bool move, std::vector<gl::ProgramSources>& list) {
         list.push_back(deferredProgram(scene, i, move, surfaceOutputs(scene, withAovs, false)));
         list.push_back(geometryProgram(move, false));
-        if (mayDisplace) list.push_back(geometryProgram(move, true));
+        if (mayDisplace) list.push_back(withTiles(geometryProgram(move, true), tiled));
       };
       if (deferred && !blended) {
         twoSteps(false, need);
@@ -163,8 +166,8 @@ class GlRenderer final : public Renderer {
       }
       need.push_back(vertexLightProgram(scene, i, false));
       if (deferred && m_hasWindow) moving.push_back(vertexLightProgram(scene, i, true));
-      if (castShadows) need.push_back(casterProgram(hasCutOuts(scene.slots[i].material)));
-      if (mayDisplace) need.push_back(displacedCasterProgram());
+      if (castShadows) need.push_back(withTiles(casterProgram(cutOuts), cutOuts && tiled));
+      if (mayDisplace) need.push_back(withTiles(displacedCasterProgram(), tiled));
     }
     if (isSplit(scene) || withAovs) {
       const std::size_t profiles = profileCount(scene);

@@ -1,9 +1,12 @@
 #include "ui/thumbnails.h"
 
+#include <QPainter>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
+#include "core/image/image_tiles.h"
 #include "ui/rows/colour_math.h"
 
 namespace dermis {
@@ -49,15 +52,16 @@ float sample(const Image& image, int x, int y, int channel) {
 }
 
 /// Mean of a few samples of the source's rectangle under one pixel of the thumbnail.
-glm::vec3 boxMean(const Image& image, int x, int y, QSize size) {
+glm::vec3 boxMean(const Image& image, const QRect& part, int x, int y, QSize size) {
   constexpr int kTaps = 3;
   glm::vec3 sum(0.0F);
   for (int j = 0; j < kTaps; ++j)
     for (int i = 0; i < kTaps; ++i) {
-      const int sx = std::min(image.width - 1, static_cast<int>((x + (i + 0.5) / kTaps) * image.width / size.width()));
+      const int sx =
+          std::min(part.width() - 1, static_cast<int>((x + (i + 0.5) / kTaps) * part.width() / size.width()));
       const int sy =
-          std::min(image.height - 1, static_cast<int>((y + (j + 0.5) / kTaps) * image.height / size.height()));
-      for (int c = 0; c < 3; ++c) sum[c] += std::clamp(sample(image, sx, sy, c), 0.0F, 1e4F);
+          std::min(part.height() - 1, static_cast<int>((y + (j + 0.5) / kTaps) * part.height() / size.height()));
+      for (int c = 0; c < 3; ++c) sum[c] += std::clamp(sample(image, part.x() + sx, part.y() + sy, c), 0.0F, 1e4F);
     }
   return sum / static_cast<float>(kTaps * kTaps);
 }
@@ -71,24 +75,54 @@ QImage panoramaThumbnail(const EnvironmentImages& environment, QSize size) {
   if (source == nullptr) return picture;
   for (int y = 0; y < size.height(); ++y)
     for (int x = 0; x < size.width(); ++x) {
-      const glm::vec3 c = boxMean(*source, x, y, size);
+      const glm::vec3 c = boxMean(*source, QRect(0, 0, source->width, source->height), x, y, size);
       picture.setPixelColor(x, y, toScreen(c / (c + 1.0F) * 1.6F));
     }
   return picture;
 }
 
-QImage mapThumbnail(const Image& image, int side) {
-  const double scale = static_cast<double>(side) / std::max(image.width, image.height);
-  const QSize size(std::max(1, static_cast<int>(image.width * scale)),
-                   std::max(1, static_cast<int>(image.height * scale)));
+namespace {
+
+/// A rectangle of an image, its longer side `side` pixels.
+QImage partThumbnail(const Image& image, const QRect& part, int side) {
+  const double scale = static_cast<double>(side) / std::max(part.width(), part.height());
+  const QSize size(std::max(1, static_cast<int>(part.width() * scale)),
+                   std::max(1, static_cast<int>(part.height() * scale)));
   QImage picture(size, QImage::Format_RGB32);
   for (int y = 0; y < size.height(); ++y)
     for (int x = 0; x < size.width(); ++x) {
-      const glm::vec3 c = boxMean(image, x, y, size);
+      const glm::vec3 c = boxMean(image, part, x, y, size);
       const glm::vec3 shown = glm::clamp(c, glm::vec3(0.0F), glm::vec3(1.0F));
       picture.setPixelColor(x, y, image.isFloatingPoint() ? toScreen(c) : QColor::fromRgbF(shown.r, shown.g, shown.b));
     }
   return picture;
+}
+
+/// The tiles of a set as they lie in the texture coordinates, a line between them; squares without one stay dark.
+QImage tilesThumbnail(const Image& set, int side) {
+  glm::ivec2 lower(kUdimsPerRow), upper(0);
+  for (const int number : set.tiles) {
+    lower = glm::min(lower, udimSquare(number));
+    upper = glm::max(upper, udimSquare(number));
+  }
+  const glm::ivec2 squares = upper - lower + 1;
+  const int one = std::max(side / std::max(squares.x, squares.y), 2);
+  QImage picture(one * squares.x, one * squares.y, QImage::Format_RGB32);
+  picture.fill(QColor(20, 20, 20));
+  QPainter painter(&picture);
+  for (std::size_t i = 0; i < set.tiles.size(); ++i) {
+    const glm::ivec2 at = udimSquare(set.tiles[i]) - lower;
+    const QRect rows(0, static_cast<int>(i) * tileHeight(set), set.width, tileHeight(set));
+    painter.drawImage(at.x * one, (squares.y - 1 - at.y) * one, partThumbnail(set, rows, one - 1));
+  }
+  return picture;
+}
+
+}  // namespace
+
+QImage mapThumbnail(const Image& image, int side) {
+  return image.tiles.empty() ? partThumbnail(image, QRect(0, 0, image.width, image.height), side)
+                             : tilesThumbnail(image, side);
 }
 
 QImage materialBall(const Material& material, int side) {

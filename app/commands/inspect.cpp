@@ -10,8 +10,10 @@
 #include "core/base/file_io.h"
 #include "core/base/json_text.h"
 #include "core/image/comparison.h"
+#include "core/image/image_tiles.h"
 #include "core/io/content_hash.h"
 #include "core/io/importer.h"
+#include "core/io/udim.h"
 #include "core/light_rig/light_colour.h"
 #include "core/light_rig/rig_io.h"
 #include "core/light_rig/rig_picture.h"
@@ -116,6 +118,8 @@ Json channelStatistics(const Image& image) {
   return json;
 }
 
+constexpr std::array<const char*, 4> kPixelTypes = {"8-bit", "16-bit", "half", "float"};
+
 Outcome<Json> inspectImage(const fs::path& path, Warnings& warnings) {
   const Result<const Importer*> module = importer();
   if (!module) return failure(module.error());
@@ -124,13 +128,12 @@ Outcome<Json> inspectImage(const fs::path& path, Warnings& warnings) {
   // Decoding it whole is what tells a truncated file from a good one.
   const Result<Image> image = (*module)->loadImage(path, {}, warnings);
   if (!image) return failure(image.error());
-  static constexpr std::array<const char*, 4> kTypes = {"8-bit", "16-bit", "half", "float"};
   Json json;
   json["kind"] = "image";
   json["format"] = info->format;
   json["width"] = info->width;
   json["height"] = info->height;
-  json["type"] = kTypes.at(static_cast<std::size_t>(info->type));
+  json["type"] = kPixelTypes.at(static_cast<std::size_t>(info->type));
   json["channels"] = info->channelNames;
   json["statistics"] = channelStatistics(*image);
   Json metadata = Json::object();
@@ -139,6 +142,29 @@ Outcome<Json> inspectImage(const fs::path& path, Warnings& warnings) {
     metadata[key] = parsed.is_discarded() ? Json(text) : std::move(parsed);
   }
   json["metadata"] = std::move(metadata);
+  if (const auto set = udimSetOf(path)) json["udim_set"] = set->filename().string();
+  return json;
+}
+
+/// The tiles of a set, each by its header; decoded together for what they hold.
+Outcome<Json> inspectUdimSet(const fs::path& path, Warnings& warnings) {
+  const Result<const Importer*> module = importer();
+  if (!module) return failure(module.error());
+  const Result<Image> set = readUdimSet(path, **module, kMostUdimBytes, warnings, {});
+  if (!set) return failure(set.error());
+  Json json = {{"kind", "udim set"}, {"width", set->width}, {"height", tileHeight(*set)}};
+  json["statistics"] = channelStatistics(*set);
+  json["tiles"] = Json::array();
+  for (const UdimTile& tile : udimTiles(path)) {
+    const Result<ImageInfo> info = (*module)->inspectImage(tile.file);
+    if (!info) return failure(info.error());
+    json["tiles"].push_back({{"number", tile.number},
+                             {"file", tile.file.filename().string()},
+                             {"width", info->width},
+                             {"height", info->height},
+                             {"type", kPixelTypes.at(static_cast<std::size_t>(info->type))},
+                             {"channels", info->channelNames}});
+  }
   return json;
 }
 
@@ -183,6 +209,7 @@ Outcome<Json> inspectRig(const fs::path& path, Warnings& warnings) {
 }
 
 Outcome<Json> inspect(const fs::path& path, Warnings& warnings) {
+  if (hasUdimToken(path)) return inspectUdimSet(path, warnings);
   const std::string extension = extensionOf(path);
   if (extension == ".dermis") return inspectScene(path, warnings);
   if (extension == ".json") {
@@ -235,6 +262,7 @@ void addInspect(CLI::App& root, Action& action) {
 Examples:
   dermis inspect head.glb
   dermis inspect studio.hdr
+  dermis inspect 'maps/skin.<UDIM>.png'
   dermis inspect look.png --json | jq .metadata.dermis.scene
 
 Files are read whole, so exit code 3 tells a damaged one. Images show the least, mean and largest value of each

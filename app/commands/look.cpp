@@ -13,6 +13,7 @@
 #include "core/builtin/default_look.h"
 #include "core/builtin/environments.h"
 #include "core/io/asset_loader.h"
+#include "core/io/udim.h"
 #include "core/material/parameter_table.h"
 #include "core/material/preset_io.h"
 #include "core/material/value_json.h"
@@ -207,7 +208,11 @@ std::vector<fs::path> collectInputs(const ResolvedScene& resolved, const std::st
   for (const std::string& face : resolved.scene.environment.faces) addInput(inputs, face);
   for (const auto& [slot, binding] : resolved.scene.materials) addInput(inputs, binding.presetPath);
   for (const ResolvedMaterial& slot : resolved.slots)
-    for (const TextureBinding& texture : slot.material.textures) addInput(inputs, texture.path);
+    for (const TextureBinding& texture : slot.material.textures) {
+      const std::vector<UdimTile> tiles = udimTiles(texture.path);
+      if (tiles.empty()) addInput(inputs, texture.path);
+      for (const UdimTile& tile : tiles) addInput(inputs, tile.file.string());
+    }
   return inputs;
 }
 

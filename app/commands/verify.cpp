@@ -14,6 +14,7 @@
 #include "core/io/asset_loader.h"
 #include "core/io/content_hash.h"
 #include "core/io/importer.h"
+#include "core/io/udim.h"
 #include "core/scene/scene_io.h"
 
 namespace dermis::cli {
@@ -81,6 +82,12 @@ class InputFinder {
     if (path.empty() || namesNoFile(path)) return {};
     for (const fs::path& folder : m_folders)
       for (const fs::path& candidate : {folder / path, folder / fs::path(path).filename()}) {
+        if (const std::vector<UdimTile> tiles = udimTiles(candidate); !tiles.empty()) {
+          for (const UdimTile& tile : tiles)
+            checkHash((fs::path(path).parent_path() / tile.file.filename()).string(), tile.file, warnings);
+          path = fs::absolute(candidate).lexically_normal().string();
+          return {};
+        }
         std::error_code error;
         if (!fs::is_regular_file(candidate, error)) continue;
         checkHash(path, candidate, warnings);

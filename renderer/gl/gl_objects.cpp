@@ -1,6 +1,7 @@
 #include "gl/gl_objects.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dermis::gl {
@@ -164,6 +165,28 @@ void Texture::uploadAll(int level, GLenum format, GLenum type, const void* pixel
 }
 
 void Texture::generateMipmaps() const { glGenerateTextureMipmap(id()); }
+
+Texture Texture::asArray() const {
+  GLuint id = 0;
+  glGenTextures(1, &id);
+  Texture view(id);
+  view.m_spec = m_spec;
+  view.m_spec.target = GL_TEXTURE_2D_ARRAY;
+  glTextureView(id, GL_TEXTURE_2D_ARRAY, this->id(), m_spec.format, 0, static_cast<GLuint>(m_spec.levels), 0, 1);
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    GLint value = 0;
+    glGetTextureParameteriv(this->id(), name, &value);
+    glTextureParameteri(id, name, value);
+  }
+  std::array<GLint, 4> swizzle{};
+  glGetTextureParameteriv(this->id(), GL_TEXTURE_SWIZZLE_RGBA, swizzle.data());
+  glTextureParameteriv(id, GL_TEXTURE_SWIZZLE_RGBA, swizzle.data());
+  GLfloat samples = 1.0F;
+  glGetTextureParameterfv(this->id(), GL_TEXTURE_MAX_ANISOTROPY, &samples);
+  view.setAnisotropy(samples);
+  label(GL_TEXTURE, id, m_spec.label);
+  return view;
+}
 
 void Texture::setFilter(GLenum minification, GLenum magnification) const {
   glTextureParameteri(id(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minification));

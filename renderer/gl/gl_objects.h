@@ -103,6 +103,8 @@ class Texture : public Handle<deleteTexture> {
   /// Fills a whole level of a 3D texture, array or cube.
   void uploadAll(int level, GLenum format, GLenum type, const void* pixels) const;
   void generateMipmaps() const;
+  /// The same texels seen as an array of one layer, which filters and repeats as this one does.
+  [[nodiscard]] Texture asArray() const;
   void setFilter(GLenum minification, GLenum magnification) const;
   void setWrap(GLenum mode) const;
   /// Clamped to what the driver offers.

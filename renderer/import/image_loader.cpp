@@ -210,7 +210,7 @@ Result<Image> read(const ImageSource& source, const ImageReadOptions& options, W
   const int maximum = std::max(1, options.maximumSize);
   if (largest <= maximum) return readWhole(source, layout, type, stop);
   auto image = readReduced(source, layout, type, maximum, stop);
-  if (image)
+  if (image && options.tellReduced)
     warnings.push_back(fmt::format("{}: reduced from {} x {} to {} x {} pixels, because {} a side is the limit",
                                    source.name(), layout.width, layout.height, image->width, image->height, maximum));
   return image;

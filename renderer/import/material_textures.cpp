@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/base/lower_case.h"
+#include "core/io/udim.h"
 #include "import/model_io.h"
 #include "import/text.h"
 
@@ -81,7 +82,11 @@ std::string TextureFinder::resolve(const std::string& reference) {
   if (const aiTexture* texture = m_scene.GetEmbeddedTexture(reference.c_str()); texture != nullptr) {
     entry->second = embed(*texture, reference);
   } else if (reference.front() != '*') {
-    const std::filesystem::path found = findReferenced(m_context.folder, reference);
+    std::filesystem::path found = findReferenced(m_context.folder, reference);
+    // A set of UDIM tiles is where its first tile is.
+    if (const auto first = firstUdimTile(reference); found.empty() && first)
+      if (found = findReferenced(m_context.folder, *first); !found.empty())
+        found.replace_filename(std::filesystem::path(reference).filename());
     std::error_code error;
     if (!found.empty()) entry->second = std::filesystem::absolute(found, error).lexically_normal().string();
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "core/image/image_tiles.h"
 #include "core/material/parameter_table.h"
 #include "core/material/scattering_length.h"
+#include "core/scene/missing_tiles.h"
 #include "passes/displacement.h"
 
 namespace dermis {
@@ -131,8 +133,9 @@ namespace {
 TextureBinding readAs(const ResolvedMaterial& source, TextureSlot kind) {
   TextureBinding binding = source.material.texture(kind);
   const auto& image = source.images.at(static_cast<std::size_t>(kind));
+  // Nor have sets of tiles, which that sampler would repeat.
   const bool decodesItself = source.material.model == ShadingModel::Thesis && kind == TextureSlot::Albedo;
-  if (image && decodesItself && image->type != PixelType::U8) binding.colorSpace = "raw";
+  if (image && decodesItself && (image->type != PixelType::U8 || !image->tiles.empty())) binding.colorSpace = "raw";
   return binding;
 }
 
@@ -210,14 +213,25 @@ int presentMaps(const ResolvedScene& scene, std::size_t slot) {
   return bits;
 }
 
-std::shared_ptr<const gl::Texture> SceneResources::standIn(TextureSlot kind) {
+bool readsTiles(const ResolvedScene& scene, std::size_t slot) {
+  const auto& images = scene.slots[slot].images;
+  return scene.model->hasUvs &&
+         std::any_of(images.begin(), images.end(), [](const auto& image) { return image && !image->tiles.empty(); });
+}
+
+gl::ProgramSources withTiles(gl::ProgramSources sources, bool tiled) {
+  if (tiled) sources.defines.emplace_back("DERMIS_TILES");
+  return sources;
+}
+
+std::shared_ptr<const gl::Texture> SceneResources::standIn(TextureSlot kind, bool asArray) {
   const bool normal = kind == TextureSlot::Normal || kind == TextureSlot::DetailNormal;
   const std::array<float, 4> texel =
       normal ? std::array<float, 4>{0.5F, 0.5F, 1.0F, 1.0F} : std::array<float, 4>{0.5F, 0.5F, 0.5F, 1.0F};
-  auto texture = std::make_shared<gl::Texture>(
-      gl::Texture::create({.format = GL_RGBA16F, .width = 1, .height = 1, .label = "a map on its way"}));
-  texture->upload(0, GL_RGBA, GL_FLOAT, texel.data());
-  return texture;
+  gl::Texture texture =
+      gl::Texture::create({.format = GL_RGBA16F, .width = 1, .height = 1, .label = "a map on its way"});
+  texture.upload(0, GL_RGBA, GL_FLOAT, texel.data());
+  return std::make_shared<gl::Texture>(asArray ? texture.asArray() : std::move(texture));
 }
 
 void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages) {
@@ -240,14 +254,23 @@ void SceneResources::uploadSlot(std::size_t index, RenderStatistics& statistics,
   std::array<std::shared_ptr<const gl::Texture>, kTextureSlotCount> textures;
   // Without texture coordinates there is no place in a map to read.
   const bool hasUvs = m_scene->model->hasUvs;
+  slot.tiled = readsTiles(*m_scene, index);
   for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
     const auto kind = static_cast<TextureSlot>(i);
     const TextureBinding binding = readAs(source, kind);
     draw.maps.at(i) = packMap(kind, binding);
     if (!source.images.at(i) || !hasUvs) continue;
-    textures.at(i) = m_textures.get(source.images.at(i), binding, kind, messages);
+    textures.at(i) = m_textures.get(source.images.at(i), binding, kind, messages, slot.tiled);
+    draw.mapTiles.at(i) = tileBits(*source.images.at(i));
     // Until a large map has arrived, the one before it stays.
-    if (!textures.at(i)) textures.at(i) = slot.textures.at(i) ? slot.textures.at(i) : standIn(kind);
+    if (const auto& before = slot.textures.at(i); !textures.at(i)) {
+      const bool fits = before && (before->spec().target == GL_TEXTURE_2D_ARRAY) == slot.tiled;
+      textures.at(i) = fits ? before : standIn(kind, slot.tiled);
+      draw.mapTiles.at(i) = fits ? slot.draw.mapTiles.at(i) : std::array<std::uint32_t, 4>{};
+    } else if (before != textures.at(i)) {
+      if (std::string missing = missingTilesText(*m_scene, index, kind); !missing.empty())
+        messages.push_back(std::move(missing));
+    }
     if (binding.flipGreen) draw.mapBits.y |= 1 << i;
   }
   slot.displaced = displaces(*m_scene, index);

@@ -9,6 +9,7 @@
 #include "core/scene/resolved_scene.h"
 #include "gl/gl_objects.h"
 #include "gl/job_queue.h"
+#include "gl/shader_library.h"
 #include "lighting/dfg_table.h"
 #include "lighting/environment_map.h"
 #include "passes/diffusion_kernels.h"
@@ -36,6 +37,7 @@ struct SlotResources {
   bool displaced = false;           ///< drawn as patches, through tessellated() programs
   float displacementReach = 0.0F;   ///< farthest that anything of it is displaced, scene units
   std::optional<int> constantMaps;  ///< the present maps, where the program knows them at compile time
+  bool tiled = false;               ///< some map is a set of UDIM tiles: all are arrays, for programs withTiles()
   std::vector<std::byte> materialBytes;
   gl::Buffer materialBlock;
   DrawBlock draw;
@@ -99,7 +101,7 @@ class SceneResources {
   /// Queues what is too large to be uploaded by a frame.
   void requestTextures(gl::JobQueue& jobs);
   /// In place of a map that is on its way and has nothing before it.
-  [[nodiscard]] static std::shared_ptr<const gl::Texture> standIn(TextureSlot kind);
+  [[nodiscard]] static std::shared_ptr<const gl::Texture> standIn(TextureSlot kind, bool asArray);
   void uploadBake();
   void uploadSlot(std::size_t index, RenderStatistics& statistics, Warnings& messages);
 
@@ -138,6 +140,12 @@ class SceneResources {
 
 /// Bits, by TextureSlot, of the maps that a slot's material has and its model can place.
 [[nodiscard]] int presentMaps(const ResolvedScene& scene, std::size_t slot);
+
+/// Whether some map of a slot is a set of UDIM tiles.
+[[nodiscard]] bool readsTiles(const ResolvedScene& scene, std::size_t slot);
+
+/// The same program for such a slot (map_tiles.glsl), or as it is for others.
+[[nodiscard]] gl::ProgramSources withTiles(gl::ProgramSources sources, bool tiled);
 
 /// Whether two scenes give the same picture of the surface and sky (their camera and view apart).
 [[nodiscard]] bool samePicture(const ResolvedScene& a, const ResolvedScene& b);

@@ -239,7 +239,7 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
     if (slot.kind != DrawKind::Opaque) continue;
     if (slot.displaced) {
       // As finely as the camera sees it, so that the surface lies on what shades it.
-      const gl::Program* program = frame.useProgram(displacedCasterProgram());
+      const gl::Program* program = frame.useProgram(withTiles(displacedCasterProgram(), slot.tiled));
       if (program == nullptr) continue;
       frame.resources.bindSlot(slot);
       DisplacementView view = displacementView(frame.camera, frame.request.size,
@@ -249,7 +249,8 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
       drawDisplaced(*program, slot, frame.resources.geometry(), i, view);
       continue;
     }
-    const gl::Program* program = frame.useProgram(casterProgram(slot.hasCutOuts));
+    const gl::Program* program =
+        frame.useProgram(withTiles(casterProgram(slot.hasCutOuts), slot.hasCutOuts && slot.tiled));
     if (program == nullptr) continue;
     if (slot.hasCutOuts) frame.resources.bindSlot(slot);
     glUniformMatrix4fv(program->uniform("u_clip_from_world"), 1, GL_FALSE, &face.view.clip[0][0]);

@@ -32,7 +32,7 @@ void drawPart(const FrameContext& frame, std::size_t index) {
   const ModelPart& part = frame.scene.model->parts[index];
   const SlotResources& slot = frame.resources.slots()[part.slot];
   const SurfaceOutputs outputs = outputsOf(frame, slot.kind != DrawKind::Opaque);
-  gl::ProgramSources sources = surfaceProgram(slot.model, outputs, slot.constantMaps);
+  gl::ProgramSources sources = withTiles(surfaceProgram(slot.model, outputs, slot.constantMaps), slot.tiled);
   const gl::Program* program = frame.useProgram(slot.displaced ? tessellated(std::move(sources)) : sources);
   if (program == nullptr) return;
   frame.resources.bindSlot(slot);
@@ -112,7 +112,7 @@ gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot,
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
   sources.defines.emplace_back(moving ? "DERMIS_MOVING" : kGradients);
-  return sources;
+  return withTiles(std::move(sources), readsTiles(scene, slot));
 }
 
 bool deferringPays(const ResolvedScene& scene) {
@@ -139,7 +139,8 @@ void geometryPass(const FrameContext& frame) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const SlotResources& slot = slots[parts[i].slot];
     if (slot.kind != DrawKind::Opaque) continue;
-    const gl::Program* program = frame.useProgram(geometryProgram(frame.request.moving, slot.displaced));
+    const gl::Program* program = frame.useProgram(
+        withTiles(geometryProgram(frame.request.moving, slot.displaced), slot.displaced && slot.tiled));
     if (program == nullptr) continue;
     frame.resources.bindSlot(slot);
     (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);

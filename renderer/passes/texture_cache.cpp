@@ -33,7 +33,7 @@ bool TextureCache::has(const std::shared_ptr<const Image>& image, const TextureB
 }
 
 TextureRecipe TextureCache::recipeFor(const Image& image, const TextureBinding& binding, TextureSlot slot,
-                                      Warnings& messages) {
+                                      Warnings& messages) const {
   TextureRecipe recipe;
   Warnings warnings;
   if (auto found = textureColour(binding.colorSpace.value_or(""), textureSlotRow(slot).isColour,
@@ -43,6 +43,7 @@ TextureRecipe TextureCache::recipeFor(const Image& image, const TextureBinding& 
     messages.push_back(found.error().message);
   for (const std::string& warning : warnings) messages.push_back(image.name + ": " + warning);
   recipe.isNormal = isNormal(slot);
+  recipe.maximumSize = m_maximumSize;
   return recipe;
 }
 
@@ -56,7 +57,6 @@ bool TextureCache::request(const std::shared_ptr<const Image>& image, const Text
   pending.key = key;
   pending.image = image;
   pending.recipe = recipeFor(*image, binding, slot, messages);
-  pending.recipe.maximumSize = m_maximumSize;
   pending.recipe.allMips = true;
   if (m_pending.empty()) m_asked = 0;
   ++m_asked;
@@ -83,7 +83,7 @@ bool TextureCache::step(Warnings& messages) {
     return false;
   }
   if (!first.upload->step(kSliceBytes)) return false;
-  m_entries.emplace(first.key, Entry{first.image, std::make_shared<gl::Texture>(first.upload->take())});
+  m_entries.emplace(first.key, Entry{first.image, std::make_shared<gl::Texture>(first.upload->take()), nullptr});
   ++m_uploaded;
   m_pending.pop_front();
   return m_pending.empty();
@@ -97,26 +97,34 @@ void TextureCache::forgetPending() { m_pending.clear(); }
 
 std::shared_ptr<const gl::Texture> TextureCache::get(const std::shared_ptr<const Image>& image,
                                                      const TextureBinding& binding, TextureSlot slot,
-                                                     Warnings& messages) {
+                                                     Warnings& messages, bool asArray) {
   const Key key = keyOf(*image, binding, slot);
-  if (const auto it = m_entries.find(key); it != m_entries.end()) return it->second.texture;
+  if (const auto it = m_entries.find(key); it != m_entries.end()) return shown(it->second, asArray);
   const auto same = [&](const Pending& pending) { return pending.key == key; };
   if (std::any_of(m_pending.begin(), m_pending.end(), same)) return nullptr;
 
-  TextureRecipe recipe = recipeFor(*image, binding, slot, messages);
-  recipe.maximumSize = m_maximumSize;
+  const TextureRecipe recipe = recipeFor(*image, binding, slot, messages);
   PreparedTexture prepared = prepareTexture(*image, recipe);
   messages.insert(messages.end(), prepared.messages.begin(), prepared.messages.end());
   TextureUpload upload(std::move(prepared), m_anisotropy, image->name);
   while (!upload.step(kSliceBytes)) {
   }
-  Entry entry{image, std::make_shared<gl::Texture>(upload.take())};
+  Entry entry{image, std::make_shared<gl::Texture>(upload.take()), nullptr};
   ++m_uploaded;
-  return m_entries.emplace(key, std::move(entry)).first->second.texture;
+  return shown(m_entries.emplace(key, std::move(entry)).first->second, asArray);
+}
+
+std::shared_ptr<const gl::Texture> TextureCache::shown(Entry& entry, bool asArray) {
+  if (!asArray || !entry.image->tiles.empty()) return entry.texture;
+  if (!entry.array) entry.array = std::make_shared<gl::Texture>(entry.texture->asArray());
+  return entry.array;
 }
 
 void TextureCache::releaseUnused() {
-  m_released += std::erase_if(m_entries, [](const auto& entry) { return entry.second.texture.use_count() == 1; });
+  m_released += std::erase_if(m_entries, [](const auto& entry) {
+    const Entry& held = entry.second;
+    return held.texture.use_count() == 1 && (!held.array || held.array.use_count() == 1);
+  });
 }
 
 }  // namespace dermis

@@ -37,9 +37,10 @@ class TextureCache {
   /// The image as a texture with mips, uploaded at the first call; null while it is pending. sRGB colour is decoded by
   /// the texture's format; 16-bit and float images in sRGB or another colour space are converted to linear Rec.709
   /// here. Images larger than the limit are averaged down, with a message.
+  /// `asArray`: sets of UDIM tiles are array textures, a layer a tile; others are seen as one of a single layer.
   [[nodiscard]] std::shared_ptr<const gl::Texture> get(const std::shared_ptr<const Image>& image,
                                                        const TextureBinding& binding, TextureSlot slot,
-                                                       Warnings& messages);
+                                                       Warnings& messages, bool asArray = false);
   /// Whether get() would have to upload.
   [[nodiscard]] bool has(const std::shared_ptr<const Image>& image, const TextureBinding& binding,
                          TextureSlot slot) const;
@@ -57,7 +58,10 @@ class TextureCache {
   struct Entry {
     std::shared_ptr<const Image> image;  ///< held, so that its address stays its name
     std::shared_ptr<const gl::Texture> texture;
+    std::shared_ptr<const gl::Texture> array;  ///< the same as an array, once somebody asked
   };
+  /// A texture of an entry.
+  [[nodiscard]] static std::shared_ptr<const gl::Texture> shown(Entry& entry, bool asArray);
   struct Pending {
     Key key;
     std::shared_ptr<const Image> image;
@@ -65,8 +69,8 @@ class TextureCache {
     std::future<PreparedTexture> prepared;
     std::optional<TextureUpload> upload;
   };
-  [[nodiscard]] static TextureRecipe recipeFor(const Image& image, const TextureBinding& binding, TextureSlot slot,
-                                               Warnings& messages);
+  [[nodiscard]] TextureRecipe recipeFor(const Image& image, const TextureBinding& binding, TextureSlot slot,
+                                        Warnings& messages) const;
   [[nodiscard]] static Key keyOf(const Image& image, const TextureBinding& binding, TextureSlot slot);
 
   std::map<Key, Entry> m_entries;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/image/image_tiles.h"
 #include "passes/texture_pixels.h"
 
 namespace dermis {
@@ -33,14 +34,13 @@ GlFormat formatFor(const Image& image, bool srgb) {
   }
 }
 
-}  // namespace
-
-PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) {
-  PreparedTexture prepared;
+/// One picture's levels.
+std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe, bool allMips, bool& srgb,
+                                 Warnings& messages) {
   // What the GPU decodes itself stays as it is; the rest becomes linear here.
   const Image* source = &image;
   Image changed;
-  bool srgb = recipe.colour.decode == TextureColour::Decode::Srgb;
+  srgb = recipe.colour.decode == TextureColour::Decode::Srgb;
   if (srgb && source->type == PixelType::U8 && source->channels <= 2) {
     changed = greyToColour(*source);
     source = &changed;
@@ -65,24 +65,44 @@ PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) 
     const int height = source->height;
     changed = reduced(*source, recipe.maximumSize, srgb);
     source = &changed;
-    prepared.messages.push_back(image.name + ": " + std::to_string(width) + " × " + std::to_string(height) +
-                                " pixels is more than the graphics driver takes; reduced to " +
-                                std::to_string(source->width) + " × " + std::to_string(source->height) + ".");
+    messages.push_back(image.name + ": " + std::to_string(width) + " × " + std::to_string(height) +
+                       " pixels is more than the graphics driver takes; reduced to " + std::to_string(source->width) +
+                       " × " + std::to_string(source->height) + ".");
   }
-  prepared.srgb = srgb;
   // Rows come from the top, texture coordinates count from the bottom.
-  prepared.levels.push_back(flippedRows(*source));
-  while (recipe.allMips && (prepared.levels.back().width > 1 || prepared.levels.back().height > 1))
-    prepared.levels.push_back(halved(prepared.levels.back(), srgb));
+  std::vector<Image> levels;
+  levels.push_back(flippedRows(*source));
+  while (allMips && (levels.back().width > 1 || levels.back().height > 1))
+    levels.push_back(halved(levels.back(), srgb));
+  return levels;
+}
+
+}  // namespace
+
+PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) {
+  PreparedTexture prepared;
+  if (image.tiles.empty()) {
+    prepared.layers.push_back(prepareLevels(image, recipe, recipe.allMips, prepared.srgb, prepared.messages));
+    return prepared;
+  }
+  prepared.isSet = true;
+  for (std::size_t i = 0; i < image.tiles.size(); ++i) {
+    Warnings said;
+    prepared.layers.push_back(prepareLevels(tileOf(image, i), recipe, true, prepared.srgb, said));
+    if (i == 0) prepared.messages = std::move(said);  // the same for all
+  }
   return prepared;
 }
 
 TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const std::string& label)
     : m_prepared(std::move(prepared)) {
-  const Image& first = m_prepared.levels.front();
-  m_texture = gl::Texture::create({.format = formatFor(first, m_prepared.srgb).internal,
+  const Image& first = m_prepared.layers.front().front();
+  const bool isSet = m_prepared.isSet;
+  m_texture = gl::Texture::create({.target = isSet ? GLenum{GL_TEXTURE_2D_ARRAY} : GLenum{GL_TEXTURE_2D},
+                                   .format = formatFor(first, m_prepared.srgb).internal,
                                    .width = first.width,
                                    .height = first.height,
+                                   .depth = static_cast<int>(m_prepared.layers.size()),
                                    .levels = 0,
                                    .label = label});
   if (first.channels <= 2) {
@@ -90,30 +110,38 @@ TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const s
     const GLint swizzle[4] = {GL_RED, GL_RED, GL_RED, first.channels == 2 ? GL_GREEN : GL_ONE};
     glTextureParameteriv(m_texture.id(), GL_TEXTURE_SWIZZLE_RGBA, swizzle);
   }
-  m_texture.setWrap(GL_REPEAT);
+  m_texture.setWrap(isSet ? GL_CLAMP_TO_EDGE : GL_REPEAT);
   m_texture.setAnisotropy(anisotropy);
 }
 
 bool TextureUpload::step(std::size_t bytes) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const bool driverMips = m_prepared.levels.size() == 1;
+  const bool driverMips = m_prepared.layers.front().size() == 1;
   std::size_t sent = 0;
-  while (m_level < m_prepared.levels.size() && sent < bytes) {
-    Image& level = m_prepared.levels[m_level];
+  while (m_layer < m_prepared.layers.size() && sent < bytes) {
+    std::vector<Image>& levels = m_prepared.layers[m_layer];
+    Image& level = levels[m_level];
     const GlFormat format = formatFor(level, m_prepared.srgb);
     const std::size_t row = level.rowBytes();
     const int rows = std::min(level.height - m_row, static_cast<int>(std::max<std::size_t>((bytes - sent) / row, 1)));
-    glTextureSubImage2D(m_texture.id(), static_cast<GLint>(m_level), 0, m_row, level.width, rows, format.format,
-                        format.type, level.pixels.data() + static_cast<std::size_t>(m_row) * row);
+    const std::byte* from = level.pixels.data() + static_cast<std::size_t>(m_row) * row;
+    const auto mip = static_cast<GLint>(m_level);
+    if (m_prepared.isSet)
+      glTextureSubImage3D(m_texture.id(), mip, 0, m_row, static_cast<GLint>(m_layer), level.width, rows, 1,
+                          format.format, format.type, from);
+    else
+      glTextureSubImage2D(m_texture.id(), mip, 0, m_row, level.width, rows, format.format, format.type, from);
     sent += static_cast<std::size_t>(rows) * row;
     m_row += rows;
     if (m_row < level.height) continue;
     level.pixels = {};
     m_row = 0;
-    ++m_level;
+    if (++m_level < levels.size()) continue;
+    m_level = 0;
+    ++m_layer;
   }
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  if (m_level < m_prepared.levels.size()) return false;
+  if (m_layer < m_prepared.layers.size()) return false;
   if (driverMips) m_texture.generateMipmaps();
   return true;
 }

@@ -22,8 +22,9 @@ struct TextureRecipe {
 
 /// Levels as the GPU takes them, first row lowest.
 struct PreparedTexture {
-  std::vector<Image> levels;
-  bool srgb = false;  ///< the GPU decodes
+  std::vector<std::vector<Image>> layers;  ///< each with its levels: one, or one a UDIM tile
+  bool isSet = false;                      ///< an array texture, else a plain one
+  bool srgb = false;                       ///< the GPU decodes
   Warnings messages;
 };
 /// Slow for a large image; touches no OpenGL.
@@ -40,7 +41,7 @@ class TextureUpload {
  private:
   PreparedTexture m_prepared;
   gl::Texture m_texture;
-  std::size_t m_level = 0;
+  std::size_t m_layer = 0, m_level = 0;
   int m_row = 0;
 };
 

@@ -54,8 +54,9 @@ struct DrawBlock {
   glm::vec4 meanAlbedo{0.0F};
   glm::ivec4 eyeCount{0};
   std::array<glm::vec4, kMostEyeballs> eyeCentre{}, eyeAxis{}, eyeUv{};
+  std::array<std::array<std::uint32_t, 4>, kTextureSlotCount> mapTiles{};
 };
-static_assert(sizeof(DrawBlock) == kTextureSlotCount * 32 + 64 + 3 * kMostEyeballs * 16);
+static_assert(sizeof(DrawBlock) == kTextureSlotCount * 48 + 64 + 3 * kMostEyeballs * 16);
 
 template <class Block>
 [[nodiscard]] std::span<const std::byte> bytesOf(const Block& block) {

@@ -1,5 +1,6 @@
 // Moves a piece's vertex along the surface's direction by the height that the map has there. Nothing tears: on a shared edge both
 // sides compute the same sums of two terms (`precise` keeps a compiler from fusing one of them), at the same coordinates of the map.
+#define DERMIS_NO_DERIVATIVES  // only fragments have neighbours
 #include "displace_view.glsl"
 #include "displacement_height.glsl"
 

@@ -12,6 +12,14 @@ float heightOf(vec4 texel) {
   return (value - u_material.surface_displacement_midlevel) * u_material.surface_displacement_mm / u_units.x;
 }
 
+#ifdef DERMIS_TILES
+// Without a tile nothing is displaced.
+float heightLod(vec2 uv, float lod) {
+  vec3 place = tilePlace(kMapDisplacement, uv * mapTiling(kMapDisplacement));
+  return place.z < 0.0 ? 0.0 : heightOf(textureLod(u_map_displacement, place, lod));
+}
+#else
 float heightLod(vec2 uv, float lod) { return heightOf(textureLod(u_map_displacement, uv * mapTiling(kMapDisplacement), lod)); }
+#endif
 
 #endif

@@ -17,4 +17,5 @@ layout(std140, binding = 2) uniform DrawBlock {
   vec4 u_eye_centre[4];  // w radius
   vec4 u_eye_axis[4];
   vec4 u_eye_uv[4];      // gradient of the texture coordinates
+  uvec4 u_map_tiles[13];  // by TextureSlot: a bit for each UDIM tile that is there; zeros for other maps
 };

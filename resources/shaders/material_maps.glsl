@@ -6,6 +6,12 @@
 
 #include "draw_block.glsl"
 #include "surface_types.glsl"
+#ifdef DERMIS_TILES
+#include "map_tiles.glsl"
+#define MapSampler sampler2DArray
+#else
+#define MapSampler sampler2D
+#endif
 
 // Indices of TextureSlot, which are the texture units as well.
 const int kMapAlbedo = 0;
@@ -22,19 +28,19 @@ const int kMapThickness = 10;
 const int kMapSubsurface = 11;
 const int kMapEmissive = 12;
 
-layout(binding = 0) uniform sampler2D u_map_albedo;
-layout(binding = 1) uniform sampler2D u_map_normal;
-layout(binding = 2) uniform sampler2D u_map_detail_normal;
-layout(binding = 3) uniform sampler2D u_map_detail_mask;
-layout(binding = 4) uniform sampler2D u_map_metallic;
-layout(binding = 5) uniform sampler2D u_map_roughness;
-layout(binding = 6) uniform sampler2D u_map_specular;
-layout(binding = 7) uniform sampler2D u_map_cavity;
-layout(binding = 8) uniform sampler2D u_map_occlusion;
-layout(binding = 9) uniform sampler2D u_map_displacement;
-layout(binding = 10) uniform sampler2D u_map_thickness;
-layout(binding = 11) uniform sampler2D u_map_subsurface;
-layout(binding = 12) uniform sampler2D u_map_emissive;
+layout(binding = 0) uniform MapSampler u_map_albedo;
+layout(binding = 1) uniform MapSampler u_map_normal;
+layout(binding = 2) uniform MapSampler u_map_detail_normal;
+layout(binding = 3) uniform MapSampler u_map_detail_mask;
+layout(binding = 4) uniform MapSampler u_map_metallic;
+layout(binding = 5) uniform MapSampler u_map_roughness;
+layout(binding = 6) uniform MapSampler u_map_specular;
+layout(binding = 7) uniform MapSampler u_map_cavity;
+layout(binding = 8) uniform MapSampler u_map_occlusion;
+layout(binding = 9) uniform MapSampler u_map_displacement;
+layout(binding = 10) uniform MapSampler u_map_thickness;
+layout(binding = 11) uniform MapSampler u_map_subsurface;
+layout(binding = 12) uniform MapSampler u_map_emissive;
 
 #ifdef DERMIS_MAPS
 bool hasMap(int slot) { return (DERMIS_MAPS & (1 << slot)) != 0; }
@@ -45,8 +51,14 @@ bool hasMap(int slot) { return (u_map_bits.x & (1 << slot)) != 0; }
 vec2 mapTiling(int slot) { return u_maps[slot].transform.zw; }
 
 // A texel as blurred as the pixel is large.
-vec4 texelAt(sampler2D map, MapPlace at, vec2 tiling) {
-#ifdef DERMIS_GRADIENTS
+vec4 texelAt(MapSampler map, int slot, MapPlace at, vec2 tiling) {
+#if defined(DERMIS_TILES) && defined(DERMIS_GRADIENTS)
+  return tileTexel(map, slot, at.uv * tiling, at.dx * tiling, at.dy * tiling);
+#elif defined(DERMIS_TILES) && defined(DERMIS_NO_DERIVATIVES)
+  return tileTexel(map, slot, at.uv * tiling, vec2(0.0), vec2(0.0));
+#elif defined(DERMIS_TILES)
+  return tileTexel(map, slot, at.uv * tiling, dFdx(at.uv) * tiling, dFdy(at.uv) * tiling);
+#elif defined(DERMIS_GRADIENTS)
   return textureGrad(map, at.uv * tiling, at.dx * tiling, at.dy * tiling);
 #else
   return texture(map, at.uv * tiling);
@@ -54,16 +66,26 @@ vec4 texelAt(sampler2D map, MapPlace at, vec2 tiling) {
 }
 
 // A data map's value, channel chosen, inverted and scaled as the slot says; 1 where there is no map.
-float scalarMap(sampler2D map, int slot, MapPlace at) {
+float scalarMap(MapSampler map, int slot, MapPlace at) {
   if (!hasMap(slot)) return 1.0;
-  return dot(texelAt(map, at, mapTiling(slot)), u_maps[slot].channel) * u_maps[slot].transform.x + u_maps[slot].transform.y;
+  vec2 tiling = mapTiling(slot);
+  float value = dot(texelAt(map, slot, at, tiling), u_maps[slot].channel) * u_maps[slot].transform.x + u_maps[slot].transform.y;
+#ifdef DERMIS_TILES
+  if (tileIsMissing(slot, at.uv * tiling)) value = withoutTile(slot);
+#endif
+  return value;
 }
 
 // A colour map's value with its alpha; 1 where there is no map.
-vec4 colourMap(sampler2D map, int slot, MapPlace at) {
+vec4 colourMap(MapSampler map, int slot, MapPlace at) {
   if (!hasMap(slot)) return vec4(1.0);
-  vec4 texel = texelAt(map, at, mapTiling(slot));
-  return vec4(max(texel.rgb * u_maps[slot].transform.x + u_maps[slot].transform.y, 0.0), texel.a);
+  vec2 tiling = mapTiling(slot);
+  vec4 texel = texelAt(map, slot, at, tiling);
+  vec4 colour = vec4(max(texel.rgb * u_maps[slot].transform.x + u_maps[slot].transform.y, 0.0), texel.a);
+#ifdef DERMIS_TILES
+  if (tileIsMissing(slot, at.uv * tiling)) colour = vec4(vec3(withoutTile(slot)), 1.0);
+#endif
+  return colour;
 }
 
 // How much image light the occlusion map leaves: strength 0 ignores the map (glTF 2.0, occlusionTexture.strength).
@@ -100,8 +122,11 @@ struct MappedNormal {
 // A normal map's texel as a direction in the tangent frame, its slope multiplied by `strength` and by the slot's scale. Where a pixel
 // holds many texels their mean is shorter than 1; by how much tells their variance (Toksvig 2005, "Mipmapping Normal Maps"): a slope's
 // variance σ² along each axis leaves a length of 1 / (1 + σ²). Eight bits leave a length uncertain by half a percent, which is none.
-MappedNormal tangentNormal(sampler2D map, int slot, MapPlace at, vec2 tiling, float strength) {
-  vec3 n = texelAt(map, at, tiling).xyz * 2.0 - 1.0;
+MappedNormal tangentNormal(MapSampler map, int slot, MapPlace at, vec2 tiling, float strength) {
+  vec3 n = texelAt(map, slot, at, tiling).xyz * 2.0 - 1.0;
+#ifdef DERMIS_TILES
+  if (tileIsMissing(slot, at.uv * tiling)) n = vec3(0.0, 0.0, 1.0);
+#endif
   float shortened = clamp(length(n), 0.25, 0.995);
   if ((u_map_bits.y & (1 << slot)) != 0) n.y = -n.y;
   float factor = strength * abs(u_maps[slot].transform.x);

@@ -2,6 +2,7 @@
 // material or mesh has changed, and kept with the vertices (renderer/passes/vertex_light.h).
 #include "mesh_bake.glsl"
 #ifdef DERMIS_FAR_LAMPS
+#define DERMIS_NO_DERIVATIVES  // only fragments have neighbours
 #include "models/skin.glsl"
 #endif
 

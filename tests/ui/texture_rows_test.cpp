@@ -193,6 +193,75 @@ TEST_F(TextureRows, ADeletedFileIsShownAsMissingAndComesBack) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return locate->isHidden(); }, 5000));
 }
 
+TEST_F(TextureRows, ATileStandsForItsUdimSetAndEachSquareShowsItsOwn) {
+  window->loading().openModel(ModelSource{{}, "plane", {}, std::nullopt});
+  ASSERT_TRUE(waitIdle());
+  image("skin.1001.png", Qt::red);
+  image("skin.1002.png", Qt::green);
+  image("skin.1012.png", Qt::blue, 32);
+  undo().clear();
+  drop(row("albedo"), {folder.filePath(QStringLiteral("skin.1002.png"))});
+  ASSERT_TRUE(waitIdle());
+  EXPECT_EQ(undo().count(), 1);
+  TextureBinding binding = worn().material.texture(TextureSlot::Albedo);
+  EXPECT_TRUE(binding.path.ends_with("skin.<UDIM>.png")) << binding.path;
+  EXPECT_EQ(picture(TextureSlot::Albedo)->tiles.size(), 3U);
+  QStringList words;
+  for (const QLabel* label : row("albedo")->findChildren<QLabel*>()) words << label->text();
+  EXPECT_TRUE(words.contains(QStringLiteral("UDIM, 3 tiles, 32 × 32 each"))) << words.join(u'\n').toStdString();
+  // The plane's texture coordinates go to 1: twice of them are four squares.
+  binding.uvScale = {2.0F, 2.0F};
+  document().setTexture(slot(), TextureSlot::Albedo, binding, worn().images[0]);
+  const QImage shown = picture();
+  const auto at = [&](double x, double y) {
+    return QColor(shown.pixel(static_cast<int>(x * shown.width()), static_cast<int>(y * shown.height())));
+  };
+  const QColor lowerLeft = at(0.45, 0.6), lowerRight = at(0.55, 0.6), upperRight = at(0.55, 0.4);
+  EXPECT_GT(lowerLeft.red(), lowerLeft.green() + 20);
+  EXPECT_GT(lowerRight.green(), lowerRight.red() + 20);
+  EXPECT_GT(upperRight.blue(), upperRight.red() + 20);
+  // One tile that changes is read again, and one that comes.
+  image("skin.1002.png", QColor(9, 0, 0));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const Image& set = *picture(TextureSlot::Albedo);
+        return std::to_integer<int>(set.pixels[set.rowBytes() * 32]) == 9;
+      },
+      5000));
+  image("skin.1011.png", Qt::yellow);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture(TextureSlot::Albedo)->tiles.size() == 4; }, 5000));
+}
+
+TEST_F(TextureRows, APackedMapGoesToItsChannelsAndTheReportSaysWhyNot) {
+  for (const char* name :
+       {"set/sphere_ORM.png", "set/sphere_opacity.png", "set/sphere_emissive.png", "set/holiday.png"})
+    image(name, Qt::gray);
+  drop(row("albedo"), {folder.filePath(QStringLiteral("set"))});
+  ASSERT_TRUE(waitIdle());
+  EXPECT_EQ(undo().count(), 1);
+  EXPECT_EQ(worn().material.texture(TextureSlot::Occlusion).channel, TextureChannel::R);
+  EXPECT_EQ(worn().material.texture(TextureSlot::Roughness).channel, TextureChannel::G);
+  EXPECT_EQ(worn().material.texture(TextureSlot::Metallic).channel, TextureChannel::B);
+  EXPECT_EQ(picture(TextureSlot::Roughness), picture(TextureSlot::Metallic));
+  const QString report = find<QLabel>(QStringLiteral("textures.report"))->text();
+  for (const char* words :
+       {"Roughness: sphere_ORM.png, channel G", "sphere_opacity.png (the model Skin has no opacity)",
+        "sphere_emissive.png (the model Skin has no emissive map)", "holiday.png (no map's name)"})
+    EXPECT_TRUE(report.contains(QLatin1String(words))) << words << "\n" << report.toStdString();
+}
+
+TEST_F(TextureRows, AFolderOfTilesIsMatchedByName) {
+  for (const char* name :
+       {"set/face_albedo.1001.png", "set/face_albedo.1002.png", "set/face_rough.1001.png", "set/face_rough.1002.png"})
+    image(name, Qt::gray);
+  drop(row("albedo"), {folder.filePath(QStringLiteral("set"))});
+  ASSERT_TRUE(waitIdle());
+  EXPECT_TRUE(worn().material.texture(TextureSlot::Roughness).path.ends_with("face_rough.<UDIM>.png"));
+  EXPECT_EQ(picture(TextureSlot::Albedo)->tiles.size(), 2U);
+  const QString report = find<QLabel>(QStringLiteral("textures.report"))->text();
+  EXPECT_FALSE(report.contains(QStringLiteral("Not used"))) << report.toStdString();
+}
+
 TEST_F(TextureRows, TheMenuRevealsAndCopiesThePath) {
   const QString path = image("albedo.png", Qt::red);
   drop(row("albedo"), {path});

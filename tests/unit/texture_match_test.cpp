@@ -68,7 +68,9 @@ TEST(TextureMatch, ASlotTakesItsOwnFilesAndNotAnothers) {
   ASSERT_EQ(head.maps.size(), 2U);
   EXPECT_EQ(head.maps[0].path, "m/head_albedo.png");
   EXPECT_EQ(head.maps[1].path, "m/shared_normal.png");
-  EXPECT_EQ(head.leftOver, (std::vector<std::filesystem::path>{"m/eye_albedo.png"}));
+  ASSERT_EQ(head.leftOver.size(), 1U);
+  EXPECT_EQ(head.leftOver[0].path, "m/eye_albedo.png");
+  EXPECT_EQ(head.leftOver[0].why, TextureLeftOver::Why::OtherSlot);
   EXPECT_EQ(matchTextures(files, "eye", {"head", "eye", "lens"}).maps[0].path, "m/eye_albedo.png");
 }
 
@@ -79,7 +81,59 @@ TEST(TextureMatch, TheLargerAndDeeperCopyWins) {
   ASSERT_EQ(matches.maps.size(), 2U);
   EXPECT_EQ(matches.maps[0].path, "head_albedo_4k.tif");
   EXPECT_EQ(matches.maps[1].path, "head_rough.exr");
-  EXPECT_EQ(matches.leftOver.size(), 3U);
+  ASSERT_EQ(matches.leftOver.size(), 3U);
+  for (const TextureLeftOver& left : matches.leftOver) EXPECT_EQ(left.why, TextureLeftOver::Why::Poorer);
+}
+
+TEST(TextureMatch, PackedMapsGiveEachChannelItsPlace) {
+  using enum TextureChannel;
+  struct Expected {
+    const char* name;
+    TextureChannel occlusion, roughness, metallic;
+  };
+  for (const Expected& e : {Expected{"head_ORM.png", R, G, B}, Expected{"head_arm_4k.png", R, G, B},
+                            Expected{"Head_OcclusionRoughnessMetallic.png", R, G, B},
+                            Expected{"head_occlusion_roughness_metallic.tga", R, G, B},
+                            Expected{"head_MRAO.png", B, G, R}, Expected{"head-RMA-2k.png", B, R, G}}) {
+    const TextureMatches matches = matchTextures({e.name}, "head", {"head"});
+    ASSERT_EQ(matches.maps.size(), 3U) << e.name;
+    EXPECT_EQ(matches.maps[0].texture, TextureSlot::Metallic) << e.name;
+    EXPECT_EQ(matches.maps[0].channel, e.metallic) << e.name;
+    EXPECT_EQ(matches.maps[1].texture, TextureSlot::Roughness) << e.name;
+    EXPECT_EQ(matches.maps[1].channel, e.roughness) << e.name;
+    EXPECT_EQ(matches.maps[2].texture, TextureSlot::Occlusion) << e.name;
+    EXPECT_EQ(matches.maps[2].channel, e.occlusion) << e.name;
+    EXPECT_TRUE(matches.leftOver.empty()) << e.name;
+  }
+  const TextureMatches gltf = matchTextures({"head_metallicRoughness.png"}, "head", {});
+  ASSERT_EQ(gltf.maps.size(), 2U);
+  EXPECT_EQ(gltf.maps[0].channel, B);
+  EXPECT_EQ(gltf.maps[1].channel, G);
+  const TextureMatches unity = matchTextures({"Head_MaskMap.png"}, "head", {});
+  ASSERT_EQ(unity.maps.size(), 4U);
+  EXPECT_EQ(unity.maps[2].texture, TextureSlot::Roughness);
+  EXPECT_EQ(unity.maps[2].channel, A);
+  EXPECT_TRUE(unity.maps[2].invert);
+  for (const char* name : {"left_arm.png", "arm.png", "forearm_2k.png"}) EXPECT_FALSE(one(name)) << name;
+}
+
+TEST(TextureMatch, AMapOfItsOwnGoesBeforeAPackedOne) {
+  const TextureMatches matches = matchTextures({"head_ORM_4k.png", "head_roughness.png"}, "head", {});
+  ASSERT_EQ(matches.maps.size(), 3U);
+  EXPECT_EQ(matches.maps[1].path, "head_roughness.png");
+  EXPECT_EQ(matches.maps[2].path, "head_ORM_4k.png");
+  EXPECT_TRUE(matches.leftOver.empty());
+}
+
+TEST(TextureMatch, OpacityIsKnownAndHasNoPlace) {
+  for (const char* name : {"hair_opacity.png", "hair_Alpha_2k.png", "hair-mask.png"}) {
+    const TextureMatches matches = matchTextures({name}, "hair", {});
+    EXPECT_TRUE(matches.maps.empty()) << name;
+    ASSERT_EQ(matches.leftOver.size(), 1U) << name;
+    EXPECT_EQ(matches.leftOver[0].why, TextureLeftOver::Why::Opacity) << name;
+  }
+  EXPECT_EQ(one("head_detail_mask.png")->texture, TextureSlot::DetailMask);
+  EXPECT_EQ(one("head_subsurface_mask.png")->texture, TextureSlot::Subsurface);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ QString thumbnailKey(const Material& material) {
   hash.addData(QByteArray::fromStdString(kProgram));
   hash.addData(QByteArray::fromStdString(writePreset(material, {})));
   for (const TextureBinding& map : material.textures)
-    if (map.present() && !namesNoFile(map.path)) hash.addData(QByteArray::fromStdString(AssetCache::fileKey(map.path)));
+    if (map.present() && !namesNoFile(map.path)) hash.addData(QByteArray::fromStdString(AssetCache::mapKey(map.path)));
   return QString::fromLatin1(hash.result().toHex());
 }
 

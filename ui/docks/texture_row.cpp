@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/file_reference.h"
+#include "core/image/image_tiles.h"
 #include "ui/docks/dropped_paths.h"
 #include "ui/docks/panel.h"
 #include "ui/rows/choice_editors.h"
@@ -36,6 +37,10 @@ QString describe(const Image& image) {
                                      TextureRow::tr("float")};
   static const QStringList kChannels = {TextureRow::tr("grey"), TextureRow::tr("grey + alpha"), QStringLiteral("RGB"),
                                         QStringLiteral("RGBA")};
+  if (!image.tiles.empty())
+    return TextureRow::tr("UDIM, %n tile(s), %1 × %2 each", nullptr, static_cast<int>(image.tiles.size()))
+        .arg(image.width)
+        .arg(tileHeight(image));
   return QStringLiteral("%1 × %2  ·  %3 %4")
       .arg(image.width)
       .arg(image.height)

@@ -1,16 +1,29 @@
 // Materials and maps that come from elsewhere: pasted, dropped, read again, found again.
 #include <QDir>
 #include <QFileInfo>
-#include <set>
 
 #include "core/base/file_reference.h"
+#include "core/io/udim.h"
 #include "core/material/texture_match.h"
 #include "ui/document/loading_run.h"
 #include "ui/document/maps_read.h"
+#include "ui/document/match_report.h"
 #include "ui/document/material_images.h"
 #include "ui/text.h"
 
 namespace dermis {
+namespace {
+
+/// What a chosen file is bound as: one tile stands for its UDIM set.
+std::filesystem::path setOrFile(const std::filesystem::path& path) {
+  const std::filesystem::path file = std::filesystem::absolute(path);
+  return udimSetOf(file).value_or(file);
+}
+
+/// Whether a map could be read from there: a file, or a set with a tile.
+bool isThere(const std::filesystem::path& path) { return !AssetCache::mapKey(path).empty(); }
+
+}  // namespace
 
 void Loading::pasteMaterial(const QStringList& slots_, const Material& material) {
   run(
@@ -30,7 +43,7 @@ void Loading::assignTexture(const QStringList& slots_, TextureSlot texture, cons
     const SlotLook* look = m_document.slotLook(slot);
     if (look == nullptr) continue;
     TextureBinding binding = look->worn.material.texture(texture);
-    binding.path = std::filesystem::absolute(path).string();
+    binding.path = setOrFile(path).string();
     edits.push_back({slot, texture, binding, nullptr});
   }
   bindMaps(
@@ -73,40 +86,39 @@ void Loading::assignByName(const QStringList& slots_, const std::vector<std::fil
   std::vector<std::string> all;
   for (const QString& name : m_document.slotNames()) all.push_back(name.toStdString());
   std::vector<TextureEdit> edits;
-  std::set<std::filesystem::path> used;
-  QStringList lines;
+  MatchReport report(slots_.size() > 1);
   for (const QString& slot : slots_) {
     const SlotLook* look = m_document.slotLook(slot);
     if (look == nullptr) continue;
+    const ShadingModel model = look->worn.material.model;
     const TextureMatches matches = matchTextures(files, slot.toStdString(), all);
+    report.leftOver(matches.leftOver, model);
     for (const TextureMatch& match : matches.maps) {
-      if (!readsMap(look->worn.material.model, match.texture)) continue;
+      if (!readsMap(model, match.texture)) {
+        report.notRead(match, model);
+        continue;
+      }
       TextureBinding binding = look->worn.material.texture(match.texture);
-      binding.path = std::filesystem::absolute(match.path).string();
+      binding.path = setOrFile(match.path).string();
       binding.flipGreen = match.flipGreen;
       binding.invert = match.invert;
+      binding.channel = match.channel;
       edits.push_back({slot, match.texture, binding, nullptr});
-      used.insert(match.path);
-      const QString line = tr("%1: %2").arg(text(textureSlotRow(match.texture).label), pathText(match.path.filename()));
-      lines << (slots_.size() > 1 ? slot + QStringLiteral(" › ") + line : line);
+      report.used(slot, match);
     }
   }
-  QStringList left;
-  for (const std::filesystem::path& file : files)
-    if (!used.contains(file)) left << pathText(file.filename());
-  if (!left.isEmpty()) lines << tr("Not used: %1").arg(left.join(QStringLiteral(", ")));
   if (edits.empty()) {
+    const QString why = report.whyNot();
     Q_EMIT message(MessageKind::Warning,
-                   tr("No file there has a map's name, such as head_albedo.png or head_normal.png."));
+                   tr("No file there has a map's name, such as head_albedo.png or head_normal.png.") +
+                       (why.isEmpty() ? QString() : QLatin1Char(' ') + why));
     return;
   }
-  Q_EMIT mapsMatched(lines.join(QLatin1Char('\n')));
-  Q_EMIT message(
-      MessageKind::Info,
-      tr("%n map(s) matched by name", nullptr, static_cast<int>(used.size())) +
-          (left.isEmpty() ? QString() : tr(", %n file(s) not used", nullptr, static_cast<int>(left.size()))));
-  bindMaps(std::move(edits),
-           tr("Assign %n map(s) to %1", nullptr, static_cast<int>(used.size())).arg(slots_.join(QStringLiteral(", "))));
+  Q_EMIT mapsMatched(report.text());
+  const int used = report.filesUsed(), left = report.filesLeft();
+  Q_EMIT message(MessageKind::Info, tr("%n map(s) matched by name", nullptr, used) +
+                                        (left == 0 ? QString() : tr(", %n file(s) not used", nullptr, left)));
+  bindMaps(std::move(edits), tr("Assign %n map(s) to %1", nullptr, used).arg(slots_.join(QStringLiteral(", "))));
 }
 
 void Loading::assignFolder(const QStringList& slots_, const QString& folder) {
@@ -151,14 +163,13 @@ void Loading::locateMap(const std::string& missing, const std::filesystem::path&
       TextureBinding binding = look.worn.material.texture(row.slot);
       const bool wanted = binding.path == missing;
       if (!binding.present() || namesNoFile(binding.path)) continue;
-      if (!wanted && QFileInfo::exists(QString::fromStdString(binding.path))) continue;
+      if (!wanted && isThere(binding.path)) continue;
       // A sibling has kept its place relative to the one that was found, or lies right beside it.
       const std::filesystem::path old(binding.path);
-      std::error_code error;
       std::filesystem::path found = now / old.lexically_relative(before);
-      if (!std::filesystem::is_regular_file(found, error)) found = now / old.filename();
-      if (wanted) found = std::filesystem::absolute(file);
-      if (!std::filesystem::is_regular_file(found, error)) continue;
+      if (!isThere(found)) found = now / old.filename();
+      if (wanted) found = setOrFile(file);
+      if (!isThere(found)) continue;
       binding.path = found.lexically_normal().string();
       edits.push_back({slot, row.slot, binding, nullptr});
     }

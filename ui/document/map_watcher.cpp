@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "core/base/file_reference.h"
+#include "core/io/udim.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 
@@ -50,7 +51,7 @@ void MapWatcher::followDocument() {
     const auto [file, added] = m_files.try_emplace(path);
     if (!added) continue;
     changed = true;
-    const std::string key = AssetCache::fileKey(path);
+    const std::string key = AssetCache::mapKey(path);
     file->second = {key, key, hasPicture ? State::Good : key.empty() ? State::Missing : State::Broken, 0};
   }
   if (changed) watch();
@@ -61,6 +62,8 @@ void MapWatcher::watch() {
   for (const auto& [path, file] : m_files) {
     const QFileInfo info(QString::fromStdString(path));
     if (info.exists()) wanted << info.filePath();
+    for (const UdimTile& tile : udimTiles(path))
+      if (const QString one = QString::fromStdString(tile.file.string()); !wanted.contains(one)) wanted << one;
     if (QFileInfo::exists(info.path()) && !wanted.contains(info.path())) wanted << info.path();
   }
   const QStringList now = m_watcher.files() + m_watcher.directories();
@@ -76,7 +79,7 @@ void MapWatcher::watch() {
 void MapWatcher::look() {
   bool again = false, told = false;
   for (auto& [path, file] : m_files) {
-    const std::string key = AssetCache::fileKey(path);
+    const std::string key = AssetCache::mapKey(path);
     const bool settled = key == file.seenKey;
     file.seenKey = key;
     if (key.empty()) {

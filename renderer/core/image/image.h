@@ -15,7 +15,8 @@ enum class PixelType : std::uint8_t { U8, U16, Half, Float };
 }
 
 /// Pixels row by row from the top, channels interleaved. The invariant that a loader establishes and everybody may
-/// rely on: width, height ≥ 1, 1 ≤ channels ≤ 4, pixels.size() == width·height·channels·bytesPerChannel(type).
+/// rely on: width, height ≥ 1, 1 ≤ channels ≤ 4, pixels.size() == width·height·channels·bytesPerChannel(type), and
+/// height is a multiple of the number of tiles.
 struct Image {
   int width = 0;
   int height = 0;
@@ -23,6 +24,8 @@ struct Image {
   PixelType type = PixelType::U8;
   std::vector<std::byte> pixels;
   std::string name;  ///< the file's name, for messages
+  /// Of a set of UDIM tiles their numbers, ascending: `height` is that of all, one below the other (image_tiles.h).
+  std::vector<int> tiles = {};
 
   [[nodiscard]] bool isFloatingPoint() const { return type == PixelType::Half || type == PixelType::Float; }
   [[nodiscard]] std::size_t rowBytes() const {

@@ -16,6 +16,7 @@
 #include "core/io/content_hash.h"
 #include "core/io/environment_image.h"
 #include "core/io/importer.h"
+#include "core/io/udim.h"
 #include "core/light_rig/rig_io.h"
 #include "core/scene/cameras.h"
 #include "core/scene/primitives.h"
@@ -152,6 +153,14 @@ std::string AssetCache::fileKey(const fs::path& path) {
   return absolute.string() + "|" + std::to_string(time.time_since_epoch().count()) + "|" + std::to_string(size);
 }
 
+std::string AssetCache::mapKey(const fs::path& path) {
+  const std::vector<UdimTile> tiles = udimTiles(path);
+  if (tiles.empty()) return fileKey(path);
+  std::string key;
+  for (const UdimTile& tile : tiles) key += fileKey(tile.file) + '|';
+  return key;
+}
+
 void AssetCache::put(const std::string& key, std::shared_ptr<const void> value) {
   const std::lock_guard lock(m_mutex);
   std::erase_if(m_entries, [](const auto& entry) { return entry.second.expired(); });
@@ -174,15 +183,14 @@ Result<std::shared_ptr<const Image>> resolveTexture(const fs::path& path, const 
     remember(options, name, made);
     return made;
   }
-  if (path.string().find("<UDIM>") != std::string::npos || path.string().find("<udim>") != std::string::npos)
-    return inputError(path.string() +
-                      " is a set of UDIM tiles, which this version does not read; bake the tiles into one image");
-  std::string key = AssetCache::fileKey(path);
+  std::string key = AssetCache::mapKey(path);
   if (!key.empty()) key = "texture|" + key;
   if (auto image = cached<Image>(options, key)) return image;
   const Result<const Importer*> module = importer();
   if (!module) return tl::unexpected(module.error());
-  Result<Image> image = (*module)->loadImage(path, {}, warnings, options.stop);
+  const bool isSet = hasUdimToken(path) || udimSetOf(path);
+  Result<Image> image = isSet ? readUdimSet(path, **module, kMostUdimBytes, warnings, options.stop)
+                              : (*module)->loadImage(path, {}, warnings, options.stop);
   if (!image) return tl::unexpected(image.error());
   auto shared = std::make_shared<const Image>(std::move(*image));
   remember(options, key, shared);

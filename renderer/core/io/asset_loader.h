@@ -22,6 +22,8 @@ class AssetCache {
  public:
   /// Path, modification time and size of a file as one text; empty where there is no such file.
   [[nodiscard]] static std::string fileKey(const std::filesystem::path& path);
+  /// The same of a map, which may be a set of UDIM tiles: of all of them.
+  [[nodiscard]] static std::string mapKey(const std::filesystem::path& path);
 
   template <class T>
   [[nodiscard]] std::shared_ptr<const T> find(const std::string& key) const {

@@ -31,6 +31,7 @@ struct ImageInfo {
 struct ImageReadOptions {
   int maximumSize = 16384;  ///< pixels a side: larger ones are reduced to this by area averaging, with a warning
   bool asFloat = false;     ///< convert to 32-bit float (environments)
+  bool tellReduced = true;  ///< the warning; without it the caller says it
 };
 
 struct ImageWriteOptions {

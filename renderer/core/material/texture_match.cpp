@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <initializer_list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "core/base/lower_case.h"
@@ -78,26 +80,46 @@ int formatRank(const std::filesystem::path& path) {
   return found == kWorstFirst.end() ? 0 : static_cast<int>(found - kWorstFirst.begin());
 }
 
-struct Ending {
-  std::string word;  ///< without separators: "basecolor"
+/// A map that a name's ending stands for.
+struct Part {
   TextureSlot texture;
-  bool invert;
+  TextureChannel channel = TextureChannel::R;
+  bool invert = false;
+};
+
+struct Ending {
+  std::string word;         ///< without separators: "basecolor"
+  std::vector<Part> parts;  ///< several: channels of one file; none: opacity
 };
 
 const std::vector<Ending>& endings() {
   static const std::vector<Ending> kEndings = [] {
+    using enum TextureSlot;
+    constexpr auto kR = TextureChannel::R, kG = TextureChannel::G, kB = TextureChannel::B;
     std::vector<Ending> all;
+    const auto packed = [&](std::initializer_list<const char*> words, const std::vector<Part>& parts) {
+      for (const char* word : words) all.push_back({word, parts});
+    };
+    packed({"orm", "arm", "aorm", "occlusionroughnessmetallic", "occlusionroughnessmetalness", "aoroughnessmetallic",
+            "aoroughmetal"},
+           {{Occlusion, kR}, {Roughness, kG}, {Metallic, kB}});
+    packed({"rma", "roughnessmetallicao", "roughnessmetallicocclusion"},
+           {{Roughness, kR}, {Metallic, kG}, {Occlusion, kB}});
+    packed({"mra", "mrao", "metallicroughnessao", "metallicroughnessocclusion"},
+           {{Metallic, kR}, {Roughness, kG}, {Occlusion, kB}});
+    packed({"metallicroughness", "metalroughness", "metalrough"}, {{Roughness, kG}, {Metallic, kB}});
+    packed({"maskmap"}, {{Metallic, kR}, {Occlusion, kG}, {DetailMask, kB}, {Roughness, TextureChannel::A, true}});
     for (const TextureSlotRow& row : textureSlots()) {
       std::string word;
       for (const char c : std::string(row.suffixes) + ' ') {
         if (isWordCharacter(c)) word += c;
         if (c != ' ') continue;
-        if (!word.empty()) all.push_back({word, row.slot, false});
+        if (!word.empty()) all.push_back({word, {{row.slot}}});
         word.clear();
       }
     }
-    for (const char* gloss : {"gloss", "glossiness", "glossy", "smoothness"})
-      all.push_back({gloss, TextureSlot::Roughness, true});
+    packed({"gloss", "glossiness", "glossy", "smoothness"}, {{Roughness, kR, true}});
+    packed({"opacity", "alpha", "mask", "transparency", "cutout"}, {});
     return all;
   }();
   return kEndings;
@@ -109,6 +131,13 @@ const Ending* endingNamed(const std::string& word) {
   return nullptr;
 }
 
+/// "left_arm.png" is of an arm; "wall_arm_4k.png" holds occlusion, roughness and metal.
+bool isLimb(const Words& words, std::size_t at) {
+  static constexpr std::array<std::string_view, 10> kSides = {"left",  "right", "l",     "r",    "upper",
+                                                              "lower", "fore",  "under", "both", "the"};
+  return words[at] == "arm" && (at == 0 || std::find(kSides.begin(), kSides.end(), words[at - 1]) != kSides.end());
+}
+
 struct Found {
   const Ending* ending = nullptr;
   bool last = false;  ///< it stands at the end of the name
@@ -117,9 +146,16 @@ struct Found {
 Found findEnding(const Words& words) {
   std::size_t end = words.size();
   while (end > 0 && isNote(words[end - 1])) --end;
+  // Unity's name ends in a word that says nothing elsewhere.
+  if (end > 0 && end < words.size() && joined(words, end - 1, 2) == "maskmap") return {endingNamed("maskmap"), true};
   for (std::size_t last = end; last > 0; --last)
     for (std::size_t count = std::min<std::size_t>(3, last); count > 0; --count)
-      if (const Ending* ending = endingNamed(joined(words, last - count, count))) return {ending, last == end};
+      if (const Ending* ending = endingNamed(joined(words, last - count, count));
+          ending != nullptr && (count > 1 || !isLimb(words, last - 1))) {
+        // "head_subsurface_mask": what is masked says which map it is.
+        if (ending->parts.empty() && last > count && endingNamed(words[last - count - 1]) != nullptr) continue;
+        return {ending, last == end};
+      }
   // Nothing separates "faceroughness"; short endings would be found in ordinary words.
   if (end == 0) return {};
   const Ending* longest = nullptr;
@@ -143,34 +179,44 @@ TextureMatches matchTextures(std::vector<std::filesystem::path> files, const std
   std::sort(files.begin(), files.end());
   struct Candidate {
     TextureMatch match;
-    std::array<int, 4> score;
+    std::array<int, 5> score;
   };
+  using Why = TextureLeftOver::Why;
   TextureMatches result;
   std::map<TextureSlot, Candidate> best;
+  std::set<std::filesystem::path> tried;
   for (const std::filesystem::path& file : files) {
     const Words words = wordsOf(file.stem().string());
     const Found found = findEnding(words);
     const bool own = names(words, slot);
     const bool others = std::any_of(allSlots.begin(), allSlots.end(),
                                     [&](const std::string& other) { return other != slot && names(words, other); });
-    if (found.ending == nullptr || (others && !own)) {
-      result.leftOver.push_back(file);
+    if (found.ending == nullptr || (others && !own) || found.ending->parts.empty()) {
+      result.leftOver.push_back({file, found.ending == nullptr ? Why::NoMapsName
+                                       : others && !own        ? Why::OtherSlot
+                                                               : Why::Opacity});
       continue;
     }
-    const bool isNormal =
-        found.ending->texture == TextureSlot::Normal || found.ending->texture == TextureSlot::DetailNormal;
+    tried.insert(file);
     const bool directX = std::find(words.begin(), words.end(), "dx") != words.end() ||
                          lowerCase(file.stem().string()).find("directx") != std::string::npos;
-    const Candidate candidate{{found.ending->texture, file, isNormal && directX, found.ending->invert},
-                              {own ? 1 : 0, found.last ? 1 : 0, resolutionOf(words), formatRank(file)}};
-    const auto [it, added] = best.try_emplace(found.ending->texture, candidate);
-    if (added) continue;
-    const bool better = candidate.score > it->second.score;
-    result.leftOver.push_back(better ? it->second.match.path : file);
-    if (better) it->second = candidate;
+    for (const Part& part : found.ending->parts) {
+      const bool isNormal = part.texture == TextureSlot::Normal || part.texture == TextureSlot::DetailNormal;
+      const bool alone = found.ending->parts.size() == 1;
+      const Candidate candidate{
+          {part.texture, file, isNormal && directX, part.invert, part.channel},
+          {own ? 1 : 0, alone ? 1 : 0, found.last ? 1 : 0, resolutionOf(words), formatRank(file)}};
+      const auto [it, added] = best.try_emplace(part.texture, candidate);
+      if (!added && candidate.score > it->second.score) it->second = candidate;
+    }
   }
-  for (const auto& [texture, candidate] : best) result.maps.push_back(candidate.match);
-  std::sort(result.leftOver.begin(), result.leftOver.end());
+  for (const auto& [texture, candidate] : best) {
+    result.maps.push_back(candidate.match);
+    tried.erase(candidate.match.path);
+  }
+  for (const std::filesystem::path& file : tried) result.leftOver.push_back({file, Why::Poorer});
+  std::sort(result.leftOver.begin(), result.leftOver.end(),
+            [](const TextureLeftOver& a, const TextureLeftOver& b) { return a.path < b.path; });
   return result;
 }
 

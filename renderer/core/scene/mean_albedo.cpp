@@ -5,6 +5,8 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "core/image/image_tiles.h"
+
 namespace dermis {
 
 namespace {
@@ -47,11 +49,17 @@ struct TexelReader {
   }
 
   glm::vec3 at(glm::vec2 uv) const {
-    const glm::vec2 wrapped = uv - glm::floor(uv);
-    const int x = std::min(static_cast<int>(wrapped.x * static_cast<float>(image.width)), image.width - 1);
-    const int y = std::min(static_cast<int>((1.0F - wrapped.y) * static_cast<float>(image.height)), image.height - 1);
-    const std::size_t texel =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(std::max(x, 0));
+    TilePlace place{0, uv - glm::floor(uv)};
+    if (!image.tiles.empty()) {
+      const auto found = tilePlace(image, uv);
+      if (!found) return glm::vec3(1.0F);
+      place = *found;
+    }
+    const int height = tileHeight(image);
+    const int x = std::min(static_cast<int>(place.uv.x * static_cast<float>(image.width)), image.width - 1);
+    const int y = std::min(static_cast<int>((1.0F - place.uv.y) * static_cast<float>(height)), height - 1);
+    const std::size_t row = place.index * static_cast<std::size_t>(height) + static_cast<std::size_t>(y);
+    const std::size_t texel = row * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(std::max(x, 0));
     if (image.channels < 3) return glm::vec3(channel(texel, 0));
     return {channel(texel, 0), channel(texel, 1), channel(texel, 2)};
   }
