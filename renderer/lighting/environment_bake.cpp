@@ -20,6 +20,8 @@ namespace dermis {
 namespace {
 
 constexpr int kIrradianceFace = 128;
+/// While a lamp of the environment is dragged: as much as shows where it is.
+constexpr int kPreviewFace = 32, kPreviewIrradianceFace = 16;
 constexpr float kHalfMax = 65504.0F;
 
 class Stopwatch {
@@ -136,11 +138,11 @@ Cubes sharpCubes(const RadianceMap& map, int faceSize) {
 }
 
 /// All nodes but the first, which is the sharp cube at the size of level 0.
-Cubes prefilteredCubes(const RadianceMap& map, const RadianceTree& tree, const Cubes& sharp, std::stop_token stop,
-                       const std::function<void(float)>& progress) {
+Cubes prefilteredCubes(const RadianceMap& map, const RadianceTree& tree, const Cubes& sharp, int faceSize,
+                       std::stop_token stop, const std::function<void(float)>& progress) {
   const auto roughnesses = prefilterRoughnesses();
   Cubes cubes;
-  cubes.shape = {kPrefilterFaceSize, kPrefilterLayers, kPrefilterLevels, {}};
+  cubes.shape = {faceSize, kPrefilterLayers, kPrefilterLevels, {}};
   for (int l = 0; l < kPrefilterLevels; ++l) {
     std::vector<float> alphas;
     for (int k = l == 0 ? 1 : 0; k < kPrefilterLayers; ++k) {
@@ -148,15 +150,14 @@ Cubes prefilteredCubes(const RadianceMap& map, const RadianceTree& tree, const C
       alphas.push_back(r * r);
     }
     // The first level is nine tenths of the work.
-    auto texels = prefilterGgx(tree, kPrefilterFaceSize >> l, alphas, stop, [&](float f) {
+    auto texels = prefilterGgx(tree, std::max(faceSize >> l, 1), alphas, stop, [&](float f) {
       if (progress) progress(l == 0 ? 0.8F * f : 0.8F + 0.1F * (static_cast<float>(l - 1) + f));
     });
     if (l == 0) {
       std::size_t level = 0;
-      while ((sharp.shape.faceSize >> level) > kPrefilterFaceSize) ++level;
-      const std::vector<float> unfiltered = (sharp.shape.faceSize >> level) == kPrefilterFaceSize
-                                                ? sharp.levels[level]
-                                                : resampleToCube(map, kPrefilterFaceSize);
+      while ((sharp.shape.faceSize >> level) > faceSize) ++level;
+      const std::vector<float> unfiltered =
+          (sharp.shape.faceSize >> level) == faceSize ? sharp.levels[level] : resampleToCube(map, faceSize);
       texels.insert(texels.begin(), unfiltered.begin(), unfiltered.end());
     }
     cubes.levels.push_back(std::move(texels));
@@ -194,11 +195,14 @@ Result<std::shared_ptr<BakedEnvironment>> bake(const EnvironmentImages& images, 
     figures.sourcesMs = watch.lap();
     report(0.1F);
     if (stop.stop_requested()) return cancelledError();
-    parts.irradiance.shape.faceSize = kIrradianceFace;
-    parts.irradiance.levels.push_back(prefilterGgx(tree, kIrradianceFace, std::array{1.0F}, stop));
+    const int irradianceFace = images.preview ? kPreviewIrradianceFace : kIrradianceFace;
+    parts.irradiance.shape.faceSize = irradianceFace;
+    parts.irradiance.levels.push_back(prefilterGgx(tree, irradianceFace, std::array{1.0F}, stop));
     figures.irradianceMs = watch.lap();
     report(0.15F);
-    parts.prefiltered = prefilteredCubes(map, tree, parts.sharp, stop, [&](float f) { report(0.15F + 0.8F * f); });
+    const int prefilteredFace = images.preview ? kPreviewFace : kPrefilterFaceSize;
+    parts.prefiltered =
+        prefilteredCubes(map, tree, parts.sharp, prefilteredFace, stop, [&](float f) { report(0.15F + 0.8F * f); });
     figures.prefilterMs = watch.lap();
     if (stop.stop_requested()) return cancelledError();
     parts.peak = std::max(peakOf(parts.sharp.levels[0]), peakOf(parts.prefiltered.levels[0]));
@@ -224,7 +228,7 @@ Result<std::shared_ptr<const BakedEnvironment>> bakeEnvironment(const Environmen
   Stopwatch watch;
   const bool isConstant = !images.latLong && !images.faces[0];
   // Without a hash there is no name to find it again by, and a constant is quicker made than read.
-  const bool cached = !options.cacheFolder.empty() && images.contentHash != 0 && !isConstant;
+  const bool cached = !options.cacheFolder.empty() && images.contentHash != 0 && !isConstant && !images.preview;
   std::shared_ptr<BakedEnvironment> baked;
   if (cached) baked = readEnvironmentCache(options, images);
   if (baked) {

@@ -205,7 +205,7 @@ void EnvironmentList::showUsed(const EnvironmentSource& source) {
   m_list->setCurrentItem(nullptr);
   for (int i = 0; i < m_list->count(); ++i) {
     QListWidgetItem* item = m_list->item(i);
-    const bool same = path.isEmpty() ? !source.constant && !source.hasFaces() &&
+    const bool same = path.isEmpty() ? !source.constant && !source.hasFaces() && !source.rig &&
                                            text(source.builtin) == item->data(kBuiltinRole).toString()
                                      : path == item->data(kPathRole).toString();
     if (same) m_list->setCurrentItem(item);

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "ui/browse/environment_list.h"
+#include "ui/docks/rig_box.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/rows/choice_editors.h"
@@ -21,6 +22,8 @@ EnvironmentPanel::EnvironmentPanel(Document& document, Loading& loading, Prefere
     : Panel(parent), m_document(document), m_loading(loading) {
   buildList(preferences);
   buildRows();
+  m_rig = new RigBox(this);
+  addWidget(m_rig);
   finish();
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if (what == Change::Everything || what == Change::Environment) refresh();
@@ -41,6 +44,7 @@ void EnvironmentPanel::buildList(Preferences& preferences) {
     if (source.path == path.toStdString() && (!path.isEmpty() || source.builtin == builtin.toStdString())) return;
     source.faces = {};
     source.constant.reset();
+    source.rig.reset();
     source.path = path.toStdString();
     source.builtin = builtin.toStdString();
     m_loading.setEnvironment(source);

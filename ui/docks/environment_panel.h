@@ -13,11 +13,14 @@ class EnvironmentList;
 class Loading;
 class Preferences;
 class PropertyRow;
+class RigBox;
 
 class EnvironmentPanel : public Panel {
   Q_OBJECT
  public:
   EnvironmentPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent = nullptr);
+
+  [[nodiscard]] RigBox* rigBox() { return m_rig; }
 
  Q_SIGNALS:
   void chooseFileRequested();
@@ -31,6 +34,7 @@ class EnvironmentPanel : public Panel {
   Document& m_document;
   Loading& m_loading;
   EnvironmentList* m_list = nullptr;
+  RigBox* m_rig = nullptr;
   PropertyRow* m_rotation = nullptr;
   PropertyRow* m_exposure = nullptr;
   PropertyRow* m_background = nullptr;

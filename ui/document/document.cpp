@@ -259,11 +259,23 @@ void Document::setEnvironment(const EnvironmentSource& source, std::shared_ptr<c
   const QString name = images ? QString::fromStdString(images->name) : QString();
   commit(tr("Environment %1").arg(name), QStringLiteral("environment"), 0,
          EnvironmentLook{m_now.scene.environment, m_now.environment}, EnvironmentLook{source, std::move(images)},
-         [this](const EnvironmentLook& look) {
-           m_now.scene.environment = look.source;
-           m_now.environment = look.images;
-           tell(Change::Environment);
-         });
+         [this](const EnvironmentLook& look) { applyEnvironment(look); });
+}
+
+void Document::setEnvironmentLook(EnvironmentLook look, const QString& text, Gesture gesture) {
+  commit(text, QStringLiteral("rig/") + text, gesture, EnvironmentLook{m_now.scene.environment, m_now.environment},
+         std::move(look), [this](const EnvironmentLook& next) { applyEnvironment(next); });
+}
+
+void Document::setRigImages(std::shared_ptr<const EnvironmentImages> images) {
+  m_now.environment = std::move(images);
+  tell(Change::Environment);
+}
+
+void Document::applyEnvironment(const EnvironmentLook& look) {
+  m_now.scene.environment = look.source;
+  m_now.environment = look.images;
+  tell(Change::Environment);
 }
 
 void Document::setEnvironmentSettings(const EnvironmentSource& settings, const QString& text, Gesture gesture) {

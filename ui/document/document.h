@@ -83,6 +83,8 @@ class Document : public QObject {
   void setEnvironment(const EnvironmentSource& source, std::shared_ptr<const EnvironmentImages> images);
   /// Rotation, exposure and background of the environment there is.
   void setEnvironmentSettings(const EnvironmentSource& settings, const QString& text, Gesture gesture);
+  /// The same for a gesture on the scene's own rig, whose images may follow later (setRigImages).
+  void setEnvironmentLook(EnvironmentLook look, const QString& text, Gesture gesture);
   void addLight(const Light& light);
   void removeLight(std::size_t index);
   /// `what` names the edited property in the undo entry and keeps different ones apart.
@@ -110,6 +112,8 @@ class Document : public QObject {
   void setEditedSlots(const QStringList& slots_);
   /// The file at `path` holds another picture now: every slot that wears it shows it, those of undo entries as well.
   void replaceImage(const std::string& path, const std::shared_ptr<const Image>& image);
+  /// What the scene's rig has become as light.
+  void setRigImages(std::shared_ptr<const EnvironmentImages> images);
   /// A new or opened scene: forgets the undo history. `path` empty: untitled.
   void replace(const ResolvedScene& scene, const std::filesystem::path& path);
   /// What is open differs from its file though there is nothing to undo.
@@ -136,6 +140,7 @@ class Document : public QObject {
   void commitLights(std::vector<Light> after, const QString& text, const QString& key, Gesture gesture);
   [[nodiscard]] int slotIndex(const QString& slot) const;
   void applyLooks(const Looks& looks);
+  void applyEnvironment(const EnvironmentLook& look);
   void applyWhole(const WholeLook& whole);
   void tell(Change what);
 

@@ -231,6 +231,7 @@ void Loading::openAtStart(const std::vector<std::filesystem::path>& files) {
         if (!environment.empty()) {
           scene.environment.path = environment.string();
           scene.environment.builtin.clear();
+          scene.environment.rig.reset();
         }
         return resolveScene(scene, scenePath.parent_path(), options, warnings);
       },
@@ -267,6 +268,16 @@ bool Loading::savePreset(const QString& slot, const std::filesystem::path& path)
   }
   m_document.markPresetSaved(slot, file);
   Q_EMIT presetSaved(QString::fromStdString(file.string()));
+  Q_EMIT message(MessageKind::Info, tr("Saved %1").arg(QString::fromStdString(file.string())));
+  return true;
+}
+
+bool Loading::saveRig(const LightRig& rig, const std::filesystem::path& path) {
+  const std::filesystem::path file = std::filesystem::absolute(path);
+  if (const Result<void> saved = dermis::saveRig(file, rig); !saved) {
+    Q_EMIT message(MessageKind::Error, QString::fromStdString(saved.error().message));
+    return false;
+  }
   Q_EMIT message(MessageKind::Info, tr("Saved %1").arg(QString::fromStdString(file.string())));
   return true;
 }

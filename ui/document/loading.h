@@ -13,6 +13,8 @@
 
 namespace dermis {
 
+struct LightRig;
+
 enum class MessageKind { Info, Warning, Error };
 
 /// What a file is, by its name.
@@ -57,6 +59,7 @@ class Loading : public QObject {
   /// True when it was written. The sentence of what went wrong goes out as a message.
   bool saveScene(const std::filesystem::path& path);
   bool savePreset(const QString& slot, const std::filesystem::path& path);
+  bool saveRig(const LightRig& rig, const std::filesystem::path& path);
 
  Q_SIGNALS:
   void message(dermis::MessageKind kind, const QString& sentence);

@@ -36,7 +36,10 @@ struct ModelScale {
 struct EnvironmentLook {
   EnvironmentSource source;
   std::shared_ptr<const EnvironmentImages> images;
-  bool operator==(const EnvironmentLook&) const = default;
+  /// The images of a scene's own rig follow it (RigEdit).
+  bool operator==(const EnvironmentLook& o) const {
+    return source == o.source && (static_cast<bool>(source.rig) || images == o.images);
+  }
 };
 
 struct Lens {

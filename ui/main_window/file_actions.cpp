@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "core/light_rig/light_rig.h"
 #include "ui/browse/preset_library.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
@@ -122,6 +123,7 @@ void FileActions::setEnvironmentFile(const QString& path) {
   EnvironmentSource source = m_document.scene().environment;
   source.faces = {};
   source.constant.reset();
+  source.rig.reset();
   source.builtin.clear();
   source.path = QFileInfo(path).absoluteFilePath().toStdString();
   m_loading.setEnvironment(source);
@@ -160,6 +162,18 @@ void FileActions::savePresetAs() {
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
   m_loading.savePreset(m_document.currentSlot(), toPath(path));
+}
+
+void FileActions::saveRig(const LightRig* rig) {
+  if (rig == nullptr) return;
+  QString path = QFileDialog::getSaveFileName(
+      m_window, tr("Save light rig"),
+      startFolder("environments") + QLatin1Char('/') + text(rig->name) + QStringLiteral(".json"),
+      tr("Light rigs (*.json)"));
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
+  rememberFolder("environments", path);
+  m_loading.saveRig(*rig, toPath(path));
 }
 
 void FileActions::remember(const QString& path) {

@@ -11,6 +11,7 @@ namespace dermis {
 
 class Document;
 class Loading;
+struct LightRig;
 
 class FileActions : public QObject {
   Q_OBJECT
@@ -24,6 +25,8 @@ class FileActions : public QObject {
   bool saveAs();
   void savePreset();
   void savePresetAs();
+  /// Asks where to; null: nothing happens.
+  void saveRig(const LightRig* rig);
   void chooseEnvironment();
   void openModel();
   void setEnvironmentFile(const QString& path);

@@ -21,7 +21,9 @@
 #include "ui/docks/log_panel.h"
 #include "ui/docks/material_panel.h"
 #include "ui/docks/presets_panel.h"
+#include "ui/docks/rig_box.h"
 #include "ui/docks/textures_panel.h"
+#include "ui/document/rig_edit.h"
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/file_actions.h"
@@ -97,7 +99,7 @@ void MainWindow::buildDocks() {
   m_docks->add(tr("Log"), QStringLiteral("log"), m_log);
   m_docks->add(tr("History"), QStringLiteral("history"), new HistoryPanel(m_document.undoStack(), this));
   m_tools->addDocks(*m_docks);
-  m_tools->connectPanels(*m_lights, *m_camera);
+  m_tools->connectPanels(*m_lights, *m_camera, *m_environment);
 }
 
 void MainWindow::buildStatusBar() {
@@ -165,6 +167,7 @@ void MainWindow::connectParts() {
   connect(m_viewport, &Viewport::pictureResized, m_diffusion,
           [this](const QSize& pixels) { m_diffusion->setPictureHeight(pixels.height()); });
   connect(m_environment, &EnvironmentPanel::chooseFileRequested, m_files, &FileActions::chooseEnvironment);
+  connect(m_environment->rigBox(), &RigBox::saveRequested, m_files, [this] { m_files->saveRig(m_tools->rig().rig()); });
   connect(m_material, &MaterialPanel::savePresetRequested, m_files, &FileActions::savePreset);
   connect(m_presets, &PresetsPanel::saveRequested, m_files, &FileActions::savePreset);
   connect(m_presets, &PresetsPanel::saveAsRequested, m_files, &FileActions::savePresetAs);

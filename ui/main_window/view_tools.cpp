@@ -11,11 +11,14 @@
 #include "core/material/preset_io.h"
 #include "ui/docks/bookmarks_box.h"
 #include "ui/docks/camera_panel.h"
+#include "ui/docks/environment_panel.h"
 #include "ui/docks/lights_panel.h"
 #include "ui/docks/reference_panel.h"
+#include "ui/docks/rig_box.h"
 #include "ui/document/document.h"
 #include "ui/document/lamp_sets.h"
 #include "ui/document/material_images.h"
+#include "ui/document/rig_edit.h"
 #include "ui/jobs/task_runner.h"
 #include "ui/main_window/dock_layout.h"
 #include "ui/snapshots/snapshots.h"
@@ -26,6 +29,7 @@
 #include "ui/viewport/hold_key.h"
 #include "ui/viewport/light_gizmos.h"
 #include "ui/viewport/pick_readout.h"
+#include "ui/viewport/rig_gizmos.h"
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
@@ -39,6 +43,10 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
       m_split(viewport),
       m_ruler(document, viewport) {
   m_gizmos = new LightGizmos(document, viewport);
+  m_rig = new RigEdit(document, tasks, this);
+  m_rigGizmos = new RigGizmos(document, *m_rig, viewport);
+  connect(&viewport, &Viewport::jobProgress, m_rig,
+          [this](const QString& what) { m_rig->setPictureBusy(!what.isEmpty()); });
   m_readout = new PickReadout(document, viewport);
   m_history = new CameraHistory(document, viewport);
   m_snapshots = new Snapshots(document, this);
@@ -49,6 +57,7 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
   viewport.addTool(&m_ruler);
   viewport.addTool(&m_split);
   viewport.addTool(m_gizmos);
+  viewport.addTool(m_rigGizmos);
   viewport.addTool(m_readout);
   m_reference = new ReferencePhoto(viewport, tasks);
   viewport.addTool(m_reference);
@@ -73,7 +82,8 @@ void ViewTools::addDocks(DockLayout& docks) {
   connect(m_strip, &SnapshotsPanel::compareRequested, this, &ViewTools::compareWithSnapshot);
 }
 
-void ViewTools::connectPanels(LightsPanel& lights, CameraPanel& camera) {
+void ViewTools::connectPanels(LightsPanel& lights, CameraPanel& camera, EnvironmentPanel& environment) {
+  environment.rigBox()->setEdit(*m_rig);
   connect(&lights, &LightsPanel::selectionChanged, m_gizmos, &LightGizmos::select);
   connect(m_gizmos, &LightGizmos::selectionChanged, &lights, &LightsPanel::select);
   m_bookmarks = camera.bookmarks();
@@ -156,9 +166,11 @@ void ViewTools::fillLightMenu(QMenu* menu) {
   }
   const bool shown = QSettings().value(QStringLiteral("view/gizmos"), true).toBool();
   m_gizmos->setEnabled(shown);
+  m_rigGizmos->setEnabled(shown);
   addSwitch(menu, tr("Light &handles in the picture"), "light.gizmos", QKeySequence(Qt::Key_G), shown, [this](bool on) {
     QSettings().setValue(QStringLiteral("view/gizmos"), on);
     m_gizmos->setEnabled(on);
+    m_rigGizmos->setEnabled(on);
   });
 }
 

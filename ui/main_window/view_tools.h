@@ -25,6 +25,9 @@ class LightGizmos;
 class LightsPanel;
 class PickReadout;
 class ReferencePhoto;
+class RigEdit;
+class RigGizmos;
+class EnvironmentPanel;
 class Snapshots;
 class SnapshotsPanel;
 class TaskRunner;
@@ -37,11 +40,13 @@ class ViewTools : public QObject {
   /// What stands beside the viewport when it is wanted there.
   [[nodiscard]] QWidget* besideView(QWidget* parent);
   void addDocks(DockLayout& docks);
-  void connectPanels(LightsPanel& lights, CameraPanel& camera);
+  void connectPanels(LightsPanel& lights, CameraPanel& camera, EnvironmentPanel& environment);
   void fillViewMenu(QMenu* menu);
   void fillLightMenu(QMenu* menu);
 
   [[nodiscard]] LightGizmos& gizmos() { return *m_gizmos; }
+  [[nodiscard]] RigGizmos& rigGizmos() { return *m_rigGizmos; }
+  [[nodiscard]] RigEdit& rig() { return *m_rig; }
   [[nodiscard]] PickReadout& readout() { return *m_readout; }
   [[nodiscard]] Snapshots& snapshots() { return *m_snapshots; }
   [[nodiscard]] CameraHistory& cameraHistory() { return *m_history; }
@@ -71,6 +76,8 @@ class ViewTools : public QObject {
   Viewport& m_viewport;
   QWidget& m_window;
   LightGizmos* m_gizmos = nullptr;
+  RigEdit* m_rig = nullptr;
+  RigGizmos* m_rigGizmos = nullptr;
   PickReadout* m_readout = nullptr;
   SplitHandle m_split;
   MeasureTool m_ruler;

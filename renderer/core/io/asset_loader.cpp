@@ -323,6 +323,14 @@ Result<std::shared_ptr<const EnvironmentImages>> resolveEnvironment(const Enviro
     environment->name = "constant";
     return environment;
   }
+  if (source.rig) {
+    const std::string text = writeRig(*source.rig);
+    const std::string key = "rig|" + hexadecimal(contentHash(std::as_bytes(std::span(text))));
+    if (auto known = cached<EnvironmentImages>(options, key)) return known;
+    auto made = environmentOfRig(*source.rig, source.rig->name, 0, options.stop);
+    if (made) remember(options, key, *made);
+    return made;
+  }
   if (source.hasFaces()) {
     std::string key = "faces";
     for (const std::string& face : source.faces) key += "|" + AssetCache::fileKey(absoluteReference(face, baseFolder));
@@ -383,7 +391,10 @@ Result<ResolvedScene> resolveScene(const Scene& scene, const fs::path& baseFolde
 
   // Each file is decoded once, however many slots it serves.
   std::vector<bool> fromModelFile;
-  resolved.slots = chooseMaterials(scene, *resolved.model, baseFolder, options.importedMaterials, fromModelFile);
+  // A model that is made here comes with its materials; a file's are asked for.
+  const bool isBuiltin = scene.model.path.empty() && scene.model.parts.empty();
+  resolved.slots =
+      chooseMaterials(scene, *resolved.model, baseFolder, options.importedMaterials || isBuiltin, fromModelFile);
   std::vector<TextureTask> tasks;
   std::map<std::string, std::size_t> taskOf;
   for (std::size_t s = 0; s < resolved.slots.size(); ++s)

@@ -137,19 +137,6 @@ Json elementToJson(const RigElement& element) {
   return json;
 }
 
-Json rigToJson(const LightRig& rig) {
-  Json json = {{"format", kRigFormat}, {"version", kRigVersion}};
-  if (!rig.name.empty()) json["name"] = rig.name;
-  if (!rig.description.empty()) json["description"] = rig.description;
-  json["white_luminance_cd_m2"] = jsonNumber(rig.whiteLuminance);
-  json["width"] = rig.width;
-  json["elements"] = Json::array();
-  for (const RigElement& element : rig.elements) json["elements"].push_back(elementToJson(element));
-  if (!rig.metadata.empty()) json["metadata"] = rig.metadata;
-  for (const auto& [key, value] : rig.unknown.items()) appendMember(json, key, value);
-  return json;
-}
-
 }  // namespace
 
 glm::vec3 rigDirection(float azimuthDegrees, float elevationDegrees) {
@@ -158,13 +145,9 @@ glm::vec3 rigDirection(float azimuthDegrees, float elevationDegrees) {
   return {std::cos(e) * std::sin(a), std::sin(e), std::cos(e) * std::cos(a)};
 }
 
-Result<LightRig> readRig(std::string_view text, const std::string& name, Warnings& warnings) {
-  const auto json = parseJson(text, name);
-  if (!json) return tl::unexpected(json.error());
-  Warnings found;
-  JsonReport report{name, found};
+LightRig readRig(const Json& json, const std::string& pointer, JsonReport& report) {
   LightRig rig;
-  JsonFields root(*json, "", report);
+  JsonFields root(json, pointer, report);
   checkFormat(root, kRigFormat, kRigVersion, true);
   root.read("name", rig.name);
   root.read("description", rig.description);
@@ -181,6 +164,15 @@ Result<LightRig> readRig(std::string_view text, const std::string& name, Warning
       report.refuse(root.pointerTo("metadata"), "must be an object, not " + std::string(typeName(*metadata)));
   }
   rig.unknown = root.unknown();
+  return rig;
+}
+
+Result<LightRig> readRig(std::string_view text, const std::string& name, Warnings& warnings) {
+  const auto json = parseJson(text, name);
+  if (!json) return tl::unexpected(json.error());
+  Warnings found;
+  JsonReport report{name, found};
+  LightRig rig = readRig(*json, "", report);
   if (report.error) return tl::unexpected(std::move(*report.error));
   warnings.insert(warnings.end(), found.begin(), found.end());
   return rig;
@@ -197,6 +189,19 @@ bool isRigFile(const fs::path& path) {
   if (!text) return false;
   const auto json = parseJson(*text, path.string());
   return json && json->is_object() && json->value("format", Json()) == Json(kRigFormat);
+}
+
+Json rigToJson(const LightRig& rig) {
+  Json json = {{"format", kRigFormat}, {"version", kRigVersion}};
+  if (!rig.name.empty()) json["name"] = rig.name;
+  if (!rig.description.empty()) json["description"] = rig.description;
+  json["white_luminance_cd_m2"] = jsonNumber(rig.whiteLuminance);
+  json["width"] = rig.width;
+  json["elements"] = Json::array();
+  for (const RigElement& element : rig.elements) json["elements"].push_back(elementToJson(element));
+  if (!rig.metadata.empty()) json["metadata"] = rig.metadata;
+  for (const auto& [key, value] : rig.unknown.items()) appendMember(json, key, value);
+  return json;
 }
 
 std::string writeRig(const LightRig& rig) { return writeJson(rigToJson(rig)); }

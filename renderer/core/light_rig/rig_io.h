@@ -22,6 +22,10 @@ inline constexpr int kRigVersion = 1;
 /// Whether the file says that it is a rig, so that it can be told from a preset, which ends in .json too.
 [[nodiscard]] bool isRigFile(const std::filesystem::path& path);
 
+/// The same of a rig inside of another file, at `pointer`; its errors and warnings go to the report.
+[[nodiscard]] LightRig readRig(const Json& json, const std::string& pointer, JsonReport& report);
+
+[[nodiscard]] Json rigToJson(const LightRig& rig);
 [[nodiscard]] std::string writeRig(const LightRig& rig);
 /// Writes beside the target and renames. Errors: Runtime, as writeFileAtomically.
 [[nodiscard]] Result<void> saveRig(const std::filesystem::path& path, const LightRig& rig);

@@ -21,6 +21,8 @@ struct EnvironmentImages {
   glm::vec3 constant{0.0F};                           ///< where neither is set
   std::uint64_t contentHash = 0;                      ///< of the bytes; names the disk cache
   std::string name;
+  /// While something of it is dragged: prefiltered coarsely, and not kept on disk.
+  bool preview = false;
 };
 
 /// A slot's material with its decoded maps; images[i] belongs to TextureSlot i and is null where there is none.

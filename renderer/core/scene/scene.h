@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/light_rig/inline_rig.h"
 #include "core/material/material.h"
 
 namespace dermis {
@@ -51,12 +52,13 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
-/// Exactly one of path, faces, builtin and constant is set.
+/// Exactly one of path, faces, builtin, constant and rig is set.
 struct EnvironmentSource {
   std::string path;
   std::array<std::string, 6> faces;  ///< +X −X +Y −Y +Z −Z
   std::string builtin = "studio";    ///< "studio", "overcast", "rim"
   std::optional<glm::vec3> constant;
+  InlineRig rig;                 ///< a light rig of the scene's own
   float rotationDegrees = 0.0F;  ///< about +Y, counter-clockwise seen from above
   float exposureStops = 0.0F;
   Background background;

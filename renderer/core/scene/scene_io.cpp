@@ -8,6 +8,7 @@
 #include "core/base/json_fields.h"
 #include "core/base/json_text.h"
 #include "core/base/number_format.h"
+#include "core/light_rig/rig_io.h"
 #include "core/material/preset_io.h"
 #include "core/scene/cameras.h"
 
@@ -165,7 +166,7 @@ void SceneReader::readEnvironment(JsonFields& root, Scene& scene) {
   const std::string pointer = root.pointerTo("environment");
   JsonFields fields(*json, pointer, report);
   EnvironmentSource& environment = scene.environment;
-  const std::string_view source = oneOf(fields, pointer, {"path", "faces", "builtin", "constant"});
+  const std::string_view source = oneOf(fields, pointer, {"path", "faces", "builtin", "constant", "rig"});
   if (!source.empty()) environment.builtin.clear();
   readPath(fields, "path", environment.path);
   fields.read("builtin", environment.builtin);
@@ -186,6 +187,8 @@ void SceneReader::readEnvironment(JsonFields& root, Scene& scene) {
     fields.readColour("constant", radiance, kNotNegative);
     environment.constant = radiance;
   }
+  if (const Json* rig = fields.find("rig"); rig != nullptr)
+    environment.rig = InlineRig(readRig(*rig, fields.pointerTo("rig"), report));
   fields.read("rotation_degrees", environment.rotationDegrees);
   fields.read("exposure_stops", environment.exposureStops, kStops);
   if (std::string text; fields.find("background") != nullptr) {

@@ -5,6 +5,7 @@
 #include "core/base/file_reference.h"
 #include "core/base/json_text.h"
 #include "core/base/number_format.h"
+#include "core/light_rig/rig_io.h"
 #include "core/material/preset_io.h"
 #include "core/scene/cameras.h"
 #include "core/scene/scene_io.h"
@@ -64,6 +65,8 @@ Json environmentToJson(const EnvironmentSource& environment, const fs::path& fol
     for (const std::string& face : environment.faces) json["faces"].push_back(relativeReference(face, folder));
   } else if (environment.constant) {
     json["constant"] = toJson(*environment.constant);
+  } else if (environment.rig) {
+    json["rig"] = rigToJson(*environment.rig);
   } else {
     json["builtin"] = environment.builtin;
   }
