@@ -38,7 +38,9 @@ QString describe(const Image& image) {
   static const QStringList kChannels = {TextureRow::tr("grey"), TextureRow::tr("grey + alpha"), QStringLiteral("RGB"),
                                         QStringLiteral("RGBA")};
   if (!image.tiles.empty())
-    return TextureRow::tr("UDIM, %n tile(s), %1 × %2 each", nullptr, static_cast<int>(image.tiles.size()))
+    return (image.tiles.size() == 1 ? TextureRow::tr("UDIM, %1 tile, %2 × %3")
+                                    : TextureRow::tr("UDIM, %1 tiles, %2 × %3 each"))
+        .arg(image.tiles.size())
         .arg(image.width)
         .arg(tileHeight(image));
   return QStringLiteral("%1 × %2  ·  %3 %4")
