@@ -1,5 +1,6 @@
 #include "ui/dialogs/colour_picker.h"
 
+#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -127,7 +128,20 @@ void ColourPicker::showColour(const glm::vec3& linear) {
   m_now->showColour(linear);
 }
 
+void ColourPicker::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  QAccessibleEvent came(this, QAccessible::ObjectCreated);
+  QAccessible::updateAccessibility(&came);
+}
+
+void ColourPicker::hideEvent(QHideEvent* event) {
+  QAccessibleEvent gone(this, QAccessible::ObjectDestroyed);
+  QAccessible::updateAccessibility(&gone);
+  QFrame::hideEvent(event);
+}
+
 void ColourPicker::openBeside(QWidget* anchor) {
+  m_anchor = anchor;
   m_start = m_linear;
   m_before->showColour(m_start);
   adjustSize();

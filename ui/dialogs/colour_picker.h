@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -25,15 +26,22 @@ class ColourPicker : public QFrame {
   void showColour(const glm::vec3& linear);
   /// Opens below `anchor`, remembering the colour shown now as the one to go back to.
   void openBeside(QWidget* anchor);
+  /// What it was opened from.
+  [[nodiscard]] QWidget* anchor() const { return m_anchor; }
 
  Q_SIGNALS:
   void edited(const glm::vec3& linear, dermis::Gesture gesture);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   void tell(const glm::vec3& linear, Gesture gesture);
   void tellHsv(float hue, float saturation, float value, Gesture gesture);
 
   glm::vec3 m_linear{0.0F};
+  QPointer<QWidget> m_anchor;
   glm::vec3 m_start{0.0F};
   SaturationSquare* m_square = nullptr;
   HueStrip* m_strip = nullptr;

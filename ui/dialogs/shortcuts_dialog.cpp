@@ -58,6 +58,7 @@ void ShortcutsDialog::buildEditor() {
   m_keys = new QKeySequenceEdit(this);
   m_keys->setObjectName(QStringLiteral("shortcuts.keys"));
   m_keys->setAccessibleName(tr("Keys"));
+  for (auto* field : m_keys->findChildren<QLineEdit*>()) field->setAccessibleName(tr("Keys"));
   m_keys->setToolTip(tr("Press the new keys of the selected command"));
   const auto button = [&](const QString& label, const QString& name, const QString& help) {
     auto* made = new QPushButton(label, this);

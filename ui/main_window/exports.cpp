@@ -7,6 +7,7 @@
 #include <QStandardPaths>
 
 #include "core/scene/cameras.h"
+#include "ui/dialogs/open_dialog.h"
 #include "ui/dialogs/screenshot_dialog.h"
 #include "ui/document/document.h"
 #include "ui/jobs/task_runner.h"
@@ -21,9 +22,11 @@ Exports::Exports(Document& document, TaskRunner& tasks, QWidget& window)
 void Exports::ask(const Viewport& viewport) {
   if (!m_document.isReady()) return;
   const double ratio = viewport.devicePixelRatioF();
-  ScreenshotDialog dialog({static_cast<int>(viewport.width() * ratio), static_cast<int>(viewport.height() * ratio)},
-                          text(m_document.scene().view.transform), viewport.references(), &m_window);
-  if (dialog.exec() == QDialog::Accepted) draw(dialog.request());
+  auto* dialog =
+      new ScreenshotDialog({static_cast<int>(viewport.width() * ratio), static_cast<int>(viewport.height() * ratio)},
+                           text(m_document.scene().view.transform), viewport.references(), &m_window);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { draw(dialog->request()); });
+  openDialog(dialog);
 }
 
 std::vector<NamedView> Exports::sheetViews() const {

@@ -33,6 +33,7 @@
 #include "ui/main_window/program_actions.h"
 #include "ui/main_window/safety_net.h"
 #include "ui/main_window/view_tools.h"
+#include "ui/rows/accessible_values.h"
 #include "ui/text.h"
 #include "ui/viewport/pick_readout.h"
 #include "ui/viewport/viewport.h"
@@ -40,6 +41,7 @@
 namespace dermis {
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  installAccessibleValues();
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));

@@ -9,6 +9,7 @@
 #include <QWhatsThis>
 
 #include "core/io/disk_cache.h"
+#include "ui/dialogs/open_dialog.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/shortcuts_dialog.h"
 #include "ui/document/autosave.h"
@@ -36,10 +37,11 @@ void ProgramActions::fillEditMenu(QMenu* menu) {
   preferences->setObjectName(QStringLiteral("edit.preferences"));
   preferences->setShortcut(QKeySequence(QStringLiteral("Ctrl+,")));
   connect(preferences, &QAction::triggered, this,
-          [this] { PreferencesDialog(m_parts.preferences, &m_parts.window).exec(); });
+          [this] { openDialog(new PreferencesDialog(m_parts.preferences, &m_parts.window)); });
   QAction* shortcuts = menu->addAction(tr("&Keyboard shortcuts…"));
   shortcuts->setObjectName(QStringLiteral("edit.shortcuts"));
-  connect(shortcuts, &QAction::triggered, this, [this] { ShortcutsDialog(m_shortcuts, &m_parts.window).exec(); });
+  connect(shortcuts, &QAction::triggered, this,
+          [this] { openDialog(new ShortcutsDialog(m_shortcuts, &m_parts.window)); });
 }
 
 void ProgramActions::fillWindowMenu(QMenu* menu) { m_layouts->fillMenu(menu); }

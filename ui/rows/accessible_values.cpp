@@ -3,10 +3,14 @@
 #include <QAbstractButton>
 #include <QAccessibleWidget>
 #include <QAction>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QToolButton>
 
 #include "ui/dialogs/colour_areas.h"
+#include "ui/dialogs/colour_picker.h"
+#include "ui/rows/accessible_choice.h"
+#include "ui/rows/colour_editor.h"
 #include "ui/rows/value_slider.h"
 
 namespace dermis {
@@ -36,34 +40,83 @@ class AccessibleSlider : public QAccessibleWidget, public QAccessibleValueInterf
   ValueSlider* m_slider;
 };
 
-/// Qt gives the buttons inside a line edit no name; the field's own says what they are for.
-class AccessibleFieldButton : public QAccessibleWidget {
+/// A button of a class that Qt doesn't know as one.
+class AccessibleButton : public QAccessibleWidget {
  public:
-  explicit AccessibleFieldButton(QAbstractButton* button)
-      : QAccessibleWidget(button, QAccessible::Button), m_button(button) {}
+  explicit AccessibleButton(QAbstractButton* button) : QAccessibleWidget(button, QAccessible::Button) {}
+
+  [[nodiscard]] QStringList actionNames() const override { return {pressAction(), setFocusAction()}; }
+  void doAction(const QString& action) override {
+    if (action == pressAction())
+      button()->click();
+    else
+      QAccessibleWidget::doAction(action);
+  }
+
+ protected:
+  [[nodiscard]] QAbstractButton* button() const { return static_cast<QAbstractButton*>(widget()); }
+};
+
+/// Qt gives the buttons inside a line edit no name; the field's own says what they are for.
+class AccessibleFieldButton : public AccessibleButton {
+ public:
+  using AccessibleButton::AccessibleButton;
 
   [[nodiscard]] QString text(QAccessible::Text kind) const override {
     const QString own = QAccessibleWidget::text(kind);
     if (kind != QAccessible::Name || !own.isEmpty()) return own;
-    const QString field = m_button->parentWidget()->accessibleName();
-    const bool clears = qobject_cast<QToolButton*>(m_button) != nullptr &&
-                        static_cast<QToolButton*>(m_button)->defaultAction() != nullptr &&
-                        static_cast<QToolButton*>(m_button)->defaultAction()->objectName().contains(
-                            QLatin1String("clear"), Qt::CaseInsensitive);
+    const QString field = button()->parentWidget()->accessibleName();
+    const auto* tool = qobject_cast<QToolButton*>(button());
+    const bool clears = tool != nullptr && tool->defaultAction() != nullptr &&
+                        tool->defaultAction()->objectName().contains(QLatin1String("clear"), Qt::CaseInsensitive);
     return clears ? QCoreApplication::translate("dermis::SearchField", "%1: empty the field").arg(field) : field;
   }
-  [[nodiscard]] QStringList actionNames() const override { return {pressAction()}; }
-  void doAction(const QString& action) override {
-    if (action == pressAction()) m_button->click();
+};
+
+/// Popups are no children of anything in Qt's tree: the picker hangs below the swatch that opened it.
+class AccessibleSwatch : public AccessibleButton {
+ public:
+  using AccessibleButton::AccessibleButton;
+
+  [[nodiscard]] QAccessible::State state() const override {
+    QAccessible::State state = QAccessibleWidget::state();
+    state.hasPopup = true;
+    return state;
+  }
+  [[nodiscard]] int childCount() const override { return openPicker() != nullptr ? 1 : 0; }
+  [[nodiscard]] QAccessibleInterface* child(int index) const override {
+    return index == 0 && openPicker() != nullptr ? QAccessible::queryAccessibleInterface(openPicker()) : nullptr;
+  }
+  [[nodiscard]] int indexOfChild(const QAccessibleInterface* child) const override {
+    return child != nullptr && child->object() == openPicker() ? 0 : -1;
   }
 
  private:
-  QAbstractButton* m_button;
+  [[nodiscard]] QWidget* openPicker() const {
+    QWidget* picker = static_cast<Swatch*>(widget())->picker();
+    return picker != nullptr && picker->isVisible() ? picker : nullptr;
+  }
+};
+
+class AccessiblePicker : public QAccessibleWidget {
+ public:
+  explicit AccessiblePicker(ColourPicker* picker) : QAccessibleWidget(picker, QAccessible::Dialog) {}
+  [[nodiscard]] QAccessibleInterface* parent() const override {
+    return QAccessible::queryAccessibleInterface(static_cast<ColourPicker*>(widget())->anchor());
+  }
 };
 
 QAccessibleInterface* makeInterface(const QString& className, QObject* object) {
   if (className == QLatin1String("QLineEditIconButton"))
     if (auto* button = qobject_cast<QAbstractButton*>(object)) return new AccessibleFieldButton(button);
+  // What is drawn, or pressed, is no mere box.
+  if (className == QLatin1String("dermis::Viewport"))
+    return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::Canvas);
+  if (className == QLatin1String("QKeySequenceEdit"))
+    return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::HotkeyField);
+  if (auto* picker = qobject_cast<ColourPicker*>(object)) return new AccessiblePicker(picker);
+  if (auto* swatch = qobject_cast<Swatch*>(object)) return new AccessibleSwatch(swatch);
+  if (auto* box = qobject_cast<QComboBox*>(object)) return new AccessibleChoice(box);
   if (auto* slider = qobject_cast<ValueSlider*>(object)) return new AccessibleSlider(slider);
   if (auto* square = qobject_cast<SaturationSquare*>(object))
     return new QAccessibleWidget(square, QAccessible::ColorChooser);

@@ -97,6 +97,7 @@ void ColourEditor::openPicker() {
   if (m_picker == nullptr) {
     m_picker = new ColourPicker(m_path, window());
     m_picker->setObjectName(m_id + QStringLiteral(".picker"));
+    m_swatch->setPicker(m_picker);
     connect(m_picker, &ColourPicker::edited, this, &ColourEditor::tell);
   }
   m_picker->showColour(m_own ? m_linear : m_automatic);

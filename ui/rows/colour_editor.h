@@ -21,6 +21,9 @@ class Swatch : public QAbstractButton {
  public:
   explicit Swatch(QWidget* parent = nullptr);
   void showColour(const glm::vec3& linear);
+  /// The window that a click brings up; assistive technology finds it below the button while it is open.
+  void setPicker(QWidget* picker) { m_picker = picker; }
+  [[nodiscard]] QWidget* picker() const { return m_picker; }
   [[nodiscard]] QSize sizeHint() const override { return {64, 22}; }
 
  protected:
@@ -28,6 +31,7 @@ class Swatch : public QAbstractButton {
 
  private:
   glm::vec3 m_linear{0.0F};
+  QPointer<QWidget> m_picker;
 };
 
 class ColourEditor : public ValueEditor {

@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/rows/number_text.h"
 
@@ -25,6 +26,12 @@ NumberField::NumberField(const NumberRange& range, QWidget* parent) : QDoubleSpi
   setContextMenuPolicy(Qt::NoContextMenu);
   setNumberRange(range);
   connect(this, &QDoubleSpinBox::valueChanged, this, [this](double v) { Q_EMIT edited(v, m_clock.current()); });
+  // What is typed counts when it is committed; what assistive technology puts there counts at once, as nobody presses
+  // Return after it.
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_typed = true; });
+  connect(lineEdit(), &QLineEdit::textChanged, this, [this] {
+    if (!std::exchange(m_typed, false)) interpretText();
+  });
 }
 
 void NumberField::setNumberRange(const NumberRange& range) {

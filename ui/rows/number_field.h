@@ -40,6 +40,7 @@ class NumberField : public QDoubleSpinBox {
   NumberRange m_range;
   GestureClock m_clock;
   bool m_mixed = false;
+  bool m_typed = false;  ///< the text is about to change by a key
 };
 
 }  // namespace dermis

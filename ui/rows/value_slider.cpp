@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/rows/accessible_values.h"
-
 namespace dermis {
 namespace {
 
@@ -19,7 +17,6 @@ double roundTo(double number, double step) { return std::round(number / step) * 
 }  // namespace
 
 ValueSlider::ValueSlider(const NumberRange& range, QWidget* parent) : QSlider(Qt::Horizontal, parent) {
-  installAccessibleValues();
   setRange(0, kSteps);
   setSingleStep(kSteps / 100);
   setPageStep(kSteps / 10);

@@ -58,6 +58,7 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
     else
       update();
   });
+  connect(&m_lull, &Lull::quiet, this, qOverload<>(&QWidget::update));
   m_still.setSingleShot(true);
   m_still.setInterval(kStillAfterMs);
   connect(&m_still, &QTimer::timeout, this, &Viewport::still);
@@ -198,7 +199,7 @@ void Viewport::scheduleNext() {
   else if (!m_moving && animated())
     m_next.start(16);
   else if (!m_moving && (m_renderer->accumulating() || (m_compared && m_compared->accumulating())))
-    m_next.start(0);
+    m_lull.start(m_smoothedMs);
 }
 
 void Viewport::continueJobs() {

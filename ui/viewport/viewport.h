@@ -12,6 +12,7 @@
 #include "renderer.h"
 #include "ui/document/loading.h"
 #include "ui/rows/gesture.h"
+#include "ui/viewport/lull.h"
 #include "ui/viewport/pace.h"
 #include "ui/viewport/projection.h"
 
@@ -146,6 +147,7 @@ class Viewport : public QOpenGLWidget {
   std::shared_ptr<const ResolvedScene> m_comparedScene;
   double m_split = 0.5;
   QTimer m_next;
+  Lull m_lull;
   QTimer m_still;
   QTimer m_fly;
   QElapsedTimer m_clock;
