@@ -34,6 +34,10 @@
         <source>&lt;br&gt;Source: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&lt;br&gt;Default %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TimeLeft</name>
@@ -54,6 +58,41 @@
     </message>
     <message>
         <source>Unsaved work is kept safe again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::BookmarksBox</name>
+    <message>
+        <source>Camera bookmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click looks from there, double-click renames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add bookmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the camera&apos;s place with the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the selected bookmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove bookmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename bookmark</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -117,6 +156,10 @@
     </message>
     <message>
         <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -367,6 +410,14 @@ sRGB %4</source>
         <source>Open model %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Paste material on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::EnvironmentList</name>
@@ -477,6 +528,29 @@ sRGB %4</source>
     </message>
     <message>
         <source>Background colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::Exports</name>
+    <message>
+        <source>a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved %1 frames, %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copied a picture of %1 × %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -810,6 +884,25 @@ sRGB %4</source>
     </message>
 </context>
 <context>
+    <name>dermis::LightGizmos</name>
+    <message>
+        <source>There is no lamp to move: add one in the Lights panel, or turn the environment with Shift and the right button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dermis::LightsPanel</name>
     <message>
         <source>Point</source>
@@ -986,6 +1079,62 @@ sRGB %4</source>
         <source>Saved %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Pasting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assign %1 map to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loading maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not used: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file there has a map&apos;s name, such as head_albedo.png or head_normal.png.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n map(s) matched by name</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n file(s) not used</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Assign %n map(s) to %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reading %1 again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; its last good picture stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Locate %n map(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>dermis::LogPanel</name>
@@ -1054,14 +1203,6 @@ sRGB %4</source>
     </message>
     <message>
         <source>%1 · %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drawing %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1236,15 +1377,54 @@ sRGB %4</source>
         <source>%L1 triangles   ·   %2 tall</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Model &amp;unit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::MaterialClipboard</name>
+    <message>
+        <source>&amp;Copy material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts the whole material on the clipboard, as a preset&apos;s text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Paste group or material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Puts what was copied on the edited slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy group “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the clipboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: this shading model has none of the parameters on the clipboard.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste values on %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::MaterialPanel</name>
     <message>
         <source>Slot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Material slot</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1287,11 +1467,150 @@ sRGB %4</source>
         <source>No parameter of this model matches “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 › %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::MessageBar</name>
     <message>
         <source>Close the message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ModelUnitBar</name>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One unit of the file is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One unit of the model is 1 %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres in one unit of the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the question about the model&apos;s unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm tall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ModifiedDot</name>
+    <message>
+        <source>Differs from the default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed since the preset was applied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen slots have different values</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::OverlayCanvas</name>
+    <message>
+        <source>Tools over the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::PickReadout</name>
+    <message>
+        <source>Radiance %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Display %1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Depth %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under the pointer: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::PictureScenes</name>
+    <message>
+        <source>Reading %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of a scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” remembers the scene that it was made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open that scene, or use the picture as an environment?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use as environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the scene of %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1585,23 +1904,32 @@ sRGB %4</source>
         <source>&amp;What is this?</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Moving the key light, while it is held</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::PropertyRow</name>
-    <message>
-        <source>Differs from the default</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reset to default</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Copy value</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Paste value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen slots have different values:
+%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset to the default%1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the preset%1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1653,6 +1981,115 @@ sRGB %4</source>
     </message>
     <message>
         <source>Opens the selected work</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ReferencePanel</name>
+    <message>
+        <source>Choose photograph…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a reference photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture to compare with. It is remembered by the editor, not by the scene.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.webp *.bmp);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the photograph is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the picture, beside it, or not at all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beside the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the picture it hides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The share of the picture, from the left, that it lies over; the line can be dragged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 is as high as the viewport</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In heights of the viewport</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ReferencePhoto</name>
+    <message>
+        <source>Loading the reference photograph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 can&apos;t be shown as a reference: %2. Choose a PNG, JPEG or WebP picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ReferenceView</name>
+    <message>
+        <source>Reference photograph</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1729,14 +2166,6 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Raw: an EXR is scene-linear</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>As displayed: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>View</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1754,6 +2183,77 @@ sRGB %4</source>
     </message>
     <message>
         <source>The file&apos;s name ends in .png, .exr, .jpg or .tif</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable: numbered frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet of views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of a turntable, evenly spread round the target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the clipboard instead of a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Balls and chart, as in the viewport</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The grey and chrome balls and the colour chart, where the View menu has them on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View transform</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An EXR through Raw is scene-linear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sheet&apos;s file name ends in .png</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::SearchField</name>
+    <message>
+        <source>%1: empty the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; Esc empties it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1840,6 +2340,101 @@ sRGB %4</source>
     </message>
     <message>
         <source>Changes are kept already</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::SlotChooser</name>
+    <message>
+        <source>Material slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part of the model whose material is shown; a preset dragged here goes to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit several slots together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit several slots together: a change goes to all that are ticked, as one undo step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slots edited together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All slots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the one shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slot(s) together</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Together…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::Snapshots</name>
+    <message>
+        <source>Snapshot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::SnapshotsPanel</name>
+    <message>
+        <source>Take</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the look as it is now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the selected snapshot beside the picture, with the same camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the selected look back; one step of undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget the selected snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double-click compares, F2 renames</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1942,10 +2537,6 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not loaded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose file…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1955,6 +2546,46 @@ sRGB %4</source>
     </message>
     <message>
         <source>Clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 map: locate the missing file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say where the file is now; other missing maps that lie beside it come along</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read 1 − value: for gloss maps as roughness, and inverted masks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For normal maps with −Y, as DirectX tools write them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, its last picture stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file can&apos;t be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show in the file manager</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy path</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1973,7 +2604,122 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Maps of “%1”</source>
+        <source>Drop a folder anywhere here: its files find their maps by name, such as head_albedo.png</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maps matched by name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide what was matched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear %1 map of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change %1 map of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is %1 now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same name (%1);;Images (%2);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Maps of “%1”. Drop a folder to match files by name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ViewTools</name>
+    <message>
+        <source>Reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Snapshots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera &amp;bookmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera bac&amp;k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera f&amp;orward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grey and chrome ba&amp;lls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour c&amp;hart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;uler</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixel &amp;readout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;in what is under the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cle&amp;ar pins</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Set of lamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light &amp;handles in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add bookmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loading preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the selected &amp;snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With a &amp;preset on the current slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;End comparison</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2005,6 +2751,656 @@ sRGB %4</source>
     </message>
     <message>
         <source>Rotate environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lamps</name>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Behind the ear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A warm key, a cool fill, a rim from behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rembrandt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A high key from the side that leaves a triangle of light on the far cheek</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Butterfly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A high key from the front, a weak fill from below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One key from the side: half a face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rim pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two strips from behind, one cool and one warm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through the ear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A small lamp behind an ear, to judge transmission by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set of lamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tables</name>
+    <message>
+        <source>Albedo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the light entering the surface that leaves it again, per channel; metals use it as F0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metallic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0 is a dielectric; 1 is a metal that reflects with the albedo and has no diffuse light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>IOR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index of refraction of the surface; F0 = ((n − 1)/(n + 1))². Editing it makes F0 follow it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fresnel F0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reflectance at normal incidence. Null follows the IOR; any value wins over it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perceptual roughness a; the width of the microfacet distribution is alpha = a².</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lobe scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roughness of the first and second specular lobe as multiples of the roughness, each clamped to 0.02..1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lobe mix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the second lobe: (1 − m)·lobe 0 + m·lobe 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies what the specular lobes reflect; in `thesis` it is the published specular value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cavity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the specular reflection survives in pores and creases; multiplies the cavity map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Subsurface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the diffuse light spreads below the surface; the rest leaves where it entered (Lambert).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies the diffusion radius per channel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies every length of the diffusion profile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diffusion length per channel; what it measures is said by the radius reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius reading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the radius is: 1/σ_tr, the reduced mean free path 1/σ_t′, or Burley&apos;s d itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diffuse mean free path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean free path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Burley d</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Family of the diffusion profile: Burley&apos;s normalised diffusion or a sum of Gaussians.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Burley</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gaussians</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Albedo mix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share m of the albedo applied before diffusion (albedo^m), the rest after it; 0 keeps texture detail sharp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Boundary colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint of light that would have come from beyond the boundary of this material.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rows of variance (mm²) and red, green, blue weights of the sum of Gaussians; up to eight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transmission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the light on the far side shows through thin parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies the transmitted light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where thickness is read: a map, the mesh by ray casting, or the light&apos;s shadow map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness where the map is 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness max</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness where the map is 1; the thickness everywhere where there is no map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the point is moved inwards along its normal before it looks up the thickness.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies the slope of the normal map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies the slope of the tiling detail normal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail tiling</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often the detail normal repeats over the UV square.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Displacement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height along the normal between the map&apos;s 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Displacement midlevel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value of the displacement map that leaves the surface where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much the occlusion map darkens image light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SSS colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Subsurface (thesis)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the published wrap term.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SSS scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale in 1 − exp(−thickness · scale · N·L).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness in 1 − exp(−thickness · scale · N·L); it has no unit as published.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geometry term</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Microfacet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Geometry factor G: none, Smith with k = α²/2 and α = 0.3, or Cook-Torrance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smith</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cook torrance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sclera colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Albedo outside the iris; with an albedo map it tints the map there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iris colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Albedo of the iris; with an albedo map it tints the map there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iris radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the visible iris, on an eyeball 24 mm across; a larger eyeball is taken for an enlarged one, and so for all lengths of an eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iris depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the iris plane behind the top of the cornea.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cornea IOR</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Index of refraction of the cornea.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cornea roughness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Perceptual roughness of the tear film over the iris; the sclera has the specular one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pupil radius</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the pupil where there is no albedo map; a map has its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iris variation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much fibres and collarette vary the iris&apos;s colour where there is no albedo map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limbus width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the dark ring between iris and sclera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limbus darkness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How dark that ring is: 0 leaves it as it is, 1 is black.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of what lies behind the lens its own black covers; its reflection is added whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed blending</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws the lens the published way: depth test off, source-alpha blending.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emissive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the light the surface gives off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emissive strength</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiplies the emissive colour into a radiance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alpha of the base colour; used by the alpha modes mask and blend.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alpha mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opaque, cut out where alpha is below the cutoff, or blended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opaque</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alpha cutoff</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alpha below which the mask mode cuts out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double sided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back faces are drawn, with their normal turned to the viewer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diffusing skin under two specular lobes; what the program is for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thesis (2024)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shader of &quot;Physically Based Skin rendering Using OpenGL&quot; (2024), as published.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reflection (lab)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mirror of the environment, encoded in the shader as the lab published it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Microfacet (lab)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lab&apos;s microfacet reflection of the environment, encoded in the shader as published.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sclera that scatters, and an iris seen by refraction through the cornea.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cornea shell: specular only, blended over what lies behind it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metallic-roughness (glTF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glTF&apos;s material, so that a downloaded model shows as its author meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail mask</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

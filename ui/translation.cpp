@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QLibraryInfo>
 #include <QTranslator>
+#include <string>
 
 namespace dermis {
 
@@ -21,6 +22,10 @@ bool loadTranslation(QCoreApplication& application, const QLocale& locale, const
   else
     delete qts;
   return QCoreApplication::installTranslator(ours);
+}
+
+QString tableText(std::string_view english) {
+  return QCoreApplication::translate("tables", std::string(english).c_str());
 }
 
 QString translationFolder() {

@@ -3,6 +3,7 @@
 
 #include <QLocale>
 #include <QString>
+#include <string_view>
 
 class QCoreApplication;
 
@@ -13,5 +14,8 @@ namespace dermis {
 bool loadTranslation(QCoreApplication& application, const QLocale& locale, const QString& folder);
 /// Where translations lie: beside the program (translations/), or where it is installed (../share/dermis/translations).
 [[nodiscard]] QString translationFolder();
+/// A label, group or sentence of the core's tables in the user's language. They stand there in English, because the
+/// core knows no Qt; packaging/translations.sh collects them.
+[[nodiscard]] QString tableText(std::string_view english);
 
 }  // namespace dermis

@@ -11,7 +11,7 @@ namespace dermis::cli {
 
 void addParameters(CLI::App& root, Action& action) {
   struct Options {
-    bool json = false, markdown = false, schema = false, rigs = false;
+    bool json = false, markdown = false, schema = false, rigs = false, words = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -24,6 +24,9 @@ void addParameters(CLI::App& root, Action& action) {
   json->excludes(markdown);
   command->add_flag("--rigs", options->rigs, "The keys of light rigs instead, as Markdown or with --schema")
       ->excludes(json);
+  command->add_flag("--words", options->words, "What people read of it, a line each, for translators")
+      ->excludes(json)
+      ->excludes(markdown);
   command->footer(R"(
 Examples:
   dermis parameters
@@ -32,7 +35,8 @@ Examples:
   dermis parameters --rigs --schema > dermis.rig.schema.json)");
   command->callback([options, &action] {
     action = [options]() -> Outcome<int> {
-      std::string text = options->rigs       ? (options->schema ? rigsAsJsonSchema() : rigsAsMarkdown())
+      std::string text = options->words      ? fmt::format("{}", fmt::join(tableWords(), "\n"))
+                         : options->rigs     ? (options->schema ? rigsAsJsonSchema() : rigsAsMarkdown())
                          : options->json     ? parametersAsJson()
                          : options->markdown ? parametersAsMarkdown()
                          : options->schema   ? parametersAsJsonSchema()

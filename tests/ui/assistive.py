@@ -137,8 +137,8 @@ class Census:
             # By its role, or because the keyboard reaches it.
             if role not in CONTROLS and (role in CONTENT or not has(node, pyatspi.STATE_FOCUSABLE)):
                 continue
-            if role == pyatspi.ROLE_PAGE_TAB_LIST and node.childCount == 0:
-                continue  # Qt keeps those that it needs no more
+            if role == pyatspi.ROLE_PAGE_TAB_LIST and not has(node, pyatspi.STATE_SHOWING):
+                continue  # Qt keeps bars without tabs for later
             self.controls += 1
             if not name:
                 parent = node.parent.name if node.parent else ""

@@ -185,6 +185,22 @@ TEST_F(Browse, APresetDroppedOnTheWindowIsApplied) {
   delete data;
 }
 
+TEST_F(Browse, APresetDroppedOnTheBoxOfSlotsGoesToThatSlot) {
+  document().setCurrentSlot(QStringLiteral("eye"));
+  QMimeData data;
+  data.setData(QStringLiteral("application/x-dermis-preset"), "builtin:jade");
+  auto* box = find<QComboBox>(QStringLiteral("material.slot"));
+  QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(box, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(5.0, 5.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(box, &drop);
+  ASSERT_TRUE(waitIdle());
+  EXPECT_EQ(document().slotLook(QStringLiteral("eye"))->binding->presetPath, "builtin:jade");
+  EXPECT_NE(document().slotLook(QStringLiteral("face"))->binding->presetPath, "builtin:jade");
+  EXPECT_EQ(undo().count(), 1);
+}
+
 TEST_F(Browse, AThumbnailIsDrawnByTheProgramAndKept) {
   const PresetEntry* entry = panel->library().find(QStringLiteral("builtin:lab_very_specular"));
   ASSERT_NE(entry, nullptr);

@@ -10,6 +10,7 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTextBrowser>
@@ -19,10 +20,15 @@
 
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/shortcuts_dialog.h"
+#include "ui/docks/material_panel.h"
+#include "ui/document/document.h"
+#include "ui/document/loading.h"
 #include "ui/editor_fixture.h"
 #include "ui/help/guide_window.h"
+#include "ui/jobs/task_runner.h"
 #include "ui/main_window/layouts.h"
 #include "ui/main_window/program_actions.h"
+#include "ui/theme/theme.h"
 #include "ui/translation.h"
 
 namespace dermis {
@@ -81,7 +87,12 @@ TEST_F(Program, TheLightThemeIsLightAndPreferencesAreKept) {
 TEST_F(Program, EveryCommandOfTheMenusIsListedOnce) {
   EXPECT_GT(shortcuts().entries().size(), 40);
   QStringList ids;
-  for (const Shortcuts::Entry& e : shortcuts().entries()) ids << e.id;
+  for (const Shortcuts::Entry& e : shortcuts().entries()) {
+    ids << e.id;
+    // Words change with the language; what a person's keys are kept under must not.
+    EXPECT_TRUE(QRegularExpression(QStringLiteral("^[a-z]+(\\.[A-Za-z0-9_-]+)+$")).match(e.id).hasMatch())
+        << e.label.toStdString() << " is kept under '" << e.id.toStdString() << "'";
+  }
   EXPECT_EQ(ids.removeDuplicates(), 0) << "two commands with one id would share their keys";
 }
 
@@ -184,12 +195,33 @@ TEST_F(Program, TheHistoryNamesStatesAndGoesToThem) {
   find<QWidget>(QStringLiteral("dock.history"))->hide();
 }
 
+TEST_F(Program, TheSystemsThemeIsFollowedWhenItChanges) {
+  bool dark = true;
+  setSystemDarkProbe([&dark] { return dark; });
+  PreferenceValues values;
+  values.theme = ThemeChoice::System;
+  window->preferences().set(values);
+  const auto lightness = [] { return QApplication::palette().color(QPalette::Window).lightness(); };
+  EXPECT_LT(lightness(), 128);
+  dark = false;
+  QEvent changed(QEvent::ThemeChange);
+  QApplication::sendEvent(window->windowHandle(), &changed);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return lightness() > 200; }, 2000));
+  dark = true;
+  QApplication::sendEvent(window->windowHandle(), &changed);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return lightness() < 128; }, 2000));
+  setSystemDarkProbe({});
+  window->preferences().set(PreferenceValues{});
+}
+
 TEST_F(Program, ATranslationIsFoundByTheLocale) {
   const QTemporaryDir folder;
-  write(folder, "dermis_hr.ts",
-        R"(<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="hr"><context>)"
-        R"(<name>dermis::FileActions</name><message><source>Scenes</source><translation>Scene!</translation></message>)"
-        R"(</context></TS>)");
+  write(
+      folder, "dermis_hr.ts",
+      R"(<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="hr"><context>)"
+      R"(<name>dermis::FileActions</name><message><source>Scenes</source><translation>Scene!</translation></message>)"
+      R"(</context><context><name>tables</name><message><source>Roughness</source><translation>Hrapavost</translation>)"
+      R"(</message><message><source>Specular</source><translation>Odsjaj</translation></message></context></TS>)");
   const QString compiler =
       QStandardPaths::findExecutable(QStringLiteral("lrelease"), {QStringLiteral("/usr/lib/qt6/bin")});
   ASSERT_FALSE(compiler.isEmpty()) << "lrelease is missing: install qt6-l10n-tools";
@@ -200,6 +232,16 @@ TEST_F(Program, ATranslationIsFoundByTheLocale) {
   EXPECT_FALSE(loadTranslation(*qApp, QLocale(QStringLiteral("fi_FI")), folder.path()));
   ASSERT_TRUE(loadTranslation(*qApp, QLocale(QStringLiteral("hr_HR")), folder.path()));
   EXPECT_EQ(FileActions::tr("Scenes"), QStringLiteral("Scene!"));
+  {
+    TaskRunner tasks;
+    Document empty;
+    Loading loading(empty, tasks);
+    const MaterialPanel panel(empty, loading);
+    const auto* row = panel.findChild<PropertyRow*>(QStringLiteral("specular.perceptual_roughness"));
+    ASSERT_NE(row, nullptr);
+    EXPECT_EQ(row->accessibleName(), QStringLiteral("Odsjaj › Hrapavost"));
+    EXPECT_EQ(row->findChild<QLabel*>()->text(), QStringLiteral("Hrapavost"));
+  }
   for (QTranslator* translator : qApp->findChildren<QTranslator*>()) delete translator;
   EXPECT_EQ(FileActions::tr("Scenes"), QStringLiteral("Scenes"));
 }

@@ -218,6 +218,12 @@ TEST_F(ViewToolsTest, TheRulerMeasuresInMillimetres) {
   EXPECT_GT(*length, 0.6 * flat);
   EXPECT_LT(*length, 2.5 * flat);
   EXPECT_EQ(document().camera(), camera);
+  EXPECT_TRUE(tools().ruler().words().endsWith(QStringLiteral(" mm")));
+  PreferenceValues values = window->preferences().values();
+  values.unit = LengthUnit::Inches;
+  window->preferences().set(values);
+  EXPECT_TRUE(tools().ruler().words().endsWith(QStringLiteral(" in"))) << tools().ruler().words().toStdString();
+  window->preferences().set(PreferenceValues{});
   tools().ruler().setEnabled(false);
   EXPECT_FALSE(tools().ruler().millimetres().has_value());
 }

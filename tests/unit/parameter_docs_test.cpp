@@ -39,5 +39,26 @@ TEST(ParameterDocs, EveryRowIsInEveryDocument) {
   }
 }
 
+// packaging/translations.sh writes it anew.
+TEST(ParameterDocs, TranslatorsFindEveryWordOfTheTables) {
+  const std::string text = test::contentOf(DERMIS_SOURCE_DIR "/translations/dermis_template.ts");
+  const std::size_t begin = text.find("<name>tables</name>");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string context = text.substr(begin, text.find("</context>", begin) - begin);
+  EXPECT_GT(tableWords().size(), 100U);
+  for (std::string word : tableWords()) {
+    for (const auto& [plain, escaped] : {std::pair("&", "&amp;"), std::pair("<", "&lt;"), std::pair(">", "&gt;"),
+                                         std::pair("\"", "&quot;"), std::pair("'", "&apos;")})
+      for (std::size_t at = 0; (at = word.find(plain, at)) != std::string::npos; at += std::string(escaped).size())
+        word.replace(at, 1, escaped);
+    EXPECT_THAT(context, HasSubstr("<source>" + word + "</source>"));
+  }
+}
+
+TEST(ParameterDocs, ChoicesAreShownAsWords) {
+  EXPECT_EQ(choiceLabel("mean_free_path"), "Mean free path");
+  EXPECT_EQ(choiceLabel("burley"), "Burley");
+}
+
 }  // namespace
 }  // namespace dermis

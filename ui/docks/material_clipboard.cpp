@@ -9,6 +9,7 @@
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/text.h"
+#include "ui/translation.h"
 
 namespace dermis {
 
@@ -25,7 +26,7 @@ MaterialClipboard::MaterialClipboard(Document& document, Loading& loading, QObje
 }
 
 QAction* MaterialClipboard::copyGroupAction(const QString& group, QObject* owner) {
-  auto* action = new QAction(tr("Copy group “%1”").arg(group), owner);
+  auto* action = new QAction(tr("Copy group “%1”").arg(tableText(group.toStdString())), owner);
   action->setObjectName(QStringLiteral("material.copyGroup"));
   connect(action, &QAction::triggered, this, [this, group] { copyGroup(group); });
   return action;

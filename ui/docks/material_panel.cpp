@@ -19,13 +19,14 @@
 #include "ui/rows/search_field.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
 
 /// What the tool tip of a row says: meaning, unit, range, default, source.
 QString helpFor(const ParameterRow& row) {
-  QString help = text(row.sentence).toHtmlEscaped();
+  QString help = tableText(row.sentence).toHtmlEscaped();
   const auto number = [](float v) { return QString::number(static_cast<double>(v), 'g', 6); };
   if (row.type == ParameterType::Enum || row.type == ParameterType::Bool)
     help += QStringLiteral("<br>");
@@ -33,7 +34,8 @@ QString helpFor(const ParameterRow& row) {
     help += QObject::tr("<br><br>Range %1 to %2 %3").arg(number(row.hardMin), number(row.hardMax), text(row.unit));
   if (row.type != ParameterType::Gaussians)
     help += QObject::tr("<br>Default %1").arg(text(parameterToText(row, row.defaultValue())));
-  if (row.map) help += QObject::tr("<br>Multiplies the %1 map").arg(text(textureSlotRow(*row.map).label).toLower());
+  if (row.map)
+    help += QObject::tr("<br>Multiplies the %1 map").arg(tableText(textureSlotRow(*row.map).label).toLower());
   if (!row.source.empty()) help += QObject::tr("<br>Source: %1").arg(text(row.source).toHtmlEscaped());
   return QStringLiteral("<qt>%1<br><span style='color:#909090'>%2</span></qt>").arg(help, text(row.id));
 }
@@ -86,8 +88,8 @@ void MaterialPanel::buildStrip() {
   m_model->setObjectName(QStringLiteral("material.model"));
   m_model->setAccessibleName(tr("Shading model"));
   for (const ShadingModelRow& row : shadingModels()) {
-    m_model->addItem(text(row.label));
-    m_model->setItemData(m_model->count() - 1, text(row.sentence), Qt::ToolTipRole);
+    m_model->addItem(tableText(row.label));
+    m_model->setItemData(m_model->count() - 1, tableText(row.sentence), Qt::ToolTipRole);
   }
   grid->addWidget(m_model, 1, 1, 1, 2);
   label(tr("Preset"), 2);
@@ -110,6 +112,8 @@ void MaterialPanel::buildStrip() {
   m_search = new SearchField(tr("Search parameters"), QStringLiteral("material.search"), this);
   strip()->addWidget(m_search);
 
+  connect(m_slots, &SlotChooser::presetDropped, this,
+          [this](const QString& preset) { m_loading.applyPreset(preset.toStdString(), m_document.currentSlot()); });
   connect(m_model, &QComboBox::activated, this, [this](int index) {
     m_document.setShadingModel(m_document.editedSlots(), shadingModels()[static_cast<std::size_t>(index)].model);
   });
@@ -123,13 +127,13 @@ void MaterialPanel::buildRows() {
   for (const ParameterRow& parameter : parameterTable()) {
     GroupBox*& group = groups[parameter.group];
     if (group == nullptr) {
-      group = addGroup(text(parameter.group), QStringLiteral("material/") + text(parameter.group));
+      group = addGroup(tableText(parameter.group), QStringLiteral("material/") + text(parameter.group));
       m_groups.push_back(group);
       group->addHeadActions({m_clipboard->copyGroupAction(text(parameter.group), group),
                              m_clipboard->copyMaterialAction(), m_clipboard->pasteAction()});
     }
-    auto* row =
-        new PropertyRow(text(parameter.group), text(parameter.label), text(parameter.id), makeEditor(parameter), group);
+    auto* row = new PropertyRow(tableText(parameter.group), tableText(parameter.label), text(parameter.id),
+                                makeEditor(parameter), group);
     row->setDefault(parameter.defaultValue());
     row->setHelp(helpFor(parameter));
     row->setParameter(parameter);
@@ -164,7 +168,8 @@ void MaterialPanel::edit(const ParameterRow& parameter, const ParameterValue& va
     names << slot;
   }
   m_document.setParameters(
-      edits, tr("%1 › %2 of %3").arg(text(parameter.group), text(parameter.label), names.join(QStringLiteral(", "))),
+      edits,
+      tr("%1 › %2 of %3").arg(tableText(parameter.group), tableText(parameter.label), names.join(QStringLiteral(", "))),
       text(parameter.id), gesture);
 }
 

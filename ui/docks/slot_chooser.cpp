@@ -1,12 +1,14 @@
 #include "ui/docks/slot_chooser.h"
 
 #include <QAction>
+#include <QDropEvent>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include "ui/browse/preset_list.h"
 #include "ui/document/document.h"
 #include "ui/rows/choice_editors.h"
 #include "ui/theme/metrics.h"
@@ -20,7 +22,9 @@ SlotChooser::SlotChooser(Document& document, QWidget* parent) : QWidget(parent),
   m_slot = new QuietComboBox(this);
   m_slot->setObjectName(QStringLiteral("material.slot"));
   m_slot->setAccessibleName(tr("Material slot"));
-  m_slot->setToolTip(tr("The part of the model whose material is shown"));
+  m_slot->setToolTip(tr("The part of the model whose material is shown; a preset dragged here goes to it"));
+  m_slot->setAcceptDrops(true);
+  m_slot->installEventFilter(this);
   m_together = new QToolButton(this);
   m_together->setObjectName(QStringLiteral("material.together"));
   m_together->setAccessibleName(tr("Edit several slots together"));
@@ -54,6 +58,19 @@ SlotChooser::SlotChooser(Document& document, QWidget* parent) : QWidget(parent),
   connect(all, &QAction::triggered, this, [this] { m_document.setEditedSlots(m_document.slotNames()); });
   connect(one, &QAction::triggered, this, [this] { m_document.setEditedSlots({}); });
   refresh();
+}
+
+bool SlotChooser::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    const QString preset = draggedPreset(drop->mimeData());
+    if (!preset.isEmpty()) {
+      drop->acceptProposedAction();
+      if (event->type() == QEvent::Drop) Q_EMIT presetDropped(preset);
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void SlotChooser::takeChecked() {

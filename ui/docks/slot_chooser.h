@@ -18,6 +18,13 @@ class SlotChooser : public QWidget {
   explicit SlotChooser(Document& document, QWidget* parent = nullptr);
   void refresh();
 
+ Q_SIGNALS:
+  /// A preset was dragged onto the box: it is for the slot that it shows.
+  void presetDropped(const QString& preset);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void takeChecked();
 

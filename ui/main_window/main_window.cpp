@@ -156,13 +156,10 @@ void MainWindow::connectParts() {
     // The embedded look stands in a window of any shape; a scene from a file keeps its camera.
     if (what == Change::Everything && m_document.path().empty() && m_document.undoStack().count() == 0)
       m_viewport->frameAll();
-    const Model& model = *m_document.model();
-    const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
-                          static_cast<double>(m_document.millimetresPerUnit());
-    m_about->setText(tr("%L1 triangles   ·   %2 tall")
-                         .arg(model.indices.size() / 3)
-                         .arg(lengthText(height, m_preferences.values().unit)));
+    refreshLengths();
   });
+  connect(&m_preferences, &Preferences::changed, this, &MainWindow::refreshLengths);
+  refreshLengths();
   connect(m_camera, &CameraPanel::viewRequested, m_viewport, &Viewport::showNamedView);
   connect(m_camera, &CameraPanel::aovChosen, m_viewport, &Viewport::setAov);
   connect(m_viewport, &Viewport::aovChanged, m_camera, &CameraPanel::showAov);
@@ -225,6 +222,16 @@ void MainWindow::savePicture(const PictureRequest& request) { m_exports->draw(re
 
 // --- closing and dropping
 // ---------------------------------------------------------------------------------------------
+
+void MainWindow::refreshLengths() {
+  const LengthUnit unit = m_preferences.values().unit;
+  m_tools->ruler().setUnit(unit);
+  if (!m_document.isReady()) return;
+  const Model& model = *m_document.model();
+  const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
+                        static_cast<double>(m_document.millimetresPerUnit());
+  m_about->setText(tr("%L1 triangles   ·   %2 tall").arg(model.indices.size() / 3).arg(lengthText(height, unit)));
+}
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!m_files->mayDiscard()) {

@@ -77,6 +77,8 @@ class MainWindow : public QMainWindow {
   void refreshActivity();
   void tell(MessageKind kind, const QString& sentence);
   void askForPicture();
+  /// What shows a length of the model says it in the unit of the preferences.
+  void refreshLengths();
 
   // menus.cpp
   void buildMenus();

@@ -248,8 +248,8 @@ void ViewTools::fillCompareMenu(QMenu* menu) {
   });
   QMenu* presets = menu->addMenu(tr("With a &preset on the current slot"));
   for (const BuiltinPreset& row : builtinPresets())
-    connect(presets->addAction(text(row.name)), &QAction::triggered, this,
-            [this, id = row.id] { compareWithPreset("builtin:" + id); });
+    add(presets, text(row.name), ("view.comparePreset." + row.id).c_str(), {},
+        [this, id = row.id] { compareWithPreset("builtin:" + id); });
   add(menu, tr("&End comparison"), "view.compareEnd", {}, [this] { m_viewport.compareWith(nullptr); });
 }
 

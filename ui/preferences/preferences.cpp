@@ -26,9 +26,9 @@ void visit(Values& v, Visit item) {
 
 }  // namespace
 
-QString lengthText(double millimetres, LengthUnit unit) {
+QString lengthText(double millimetres, LengthUnit unit, int moreDecimals) {
   const QLocale locale;
-  const auto number = [&](double value) { return locale.toString(value, 'f', value < 100.0 ? 1 : 0); };
+  const auto number = [&](double value) { return locale.toString(value, 'f', (value < 100.0 ? 1 : 0) + moreDecimals); };
   switch (unit) {
     case LengthUnit::Centimetres:
       return QCoreApplication::translate("Length", "%1 cm").arg(number(millimetres / 10.0));
@@ -36,7 +36,8 @@ QString lengthText(double millimetres, LengthUnit unit) {
       return QCoreApplication::translate("Length", "%1 in").arg(number(millimetres / 25.4));
     case LengthUnit::Automatic:
       if (millimetres >= 1000.0)
-        return QCoreApplication::translate("Length", "%1 m").arg(locale.toString(millimetres / 1000.0, 'f', 2));
+        return QCoreApplication::translate("Length", "%1 m")
+            .arg(locale.toString(millimetres / 1000.0, 'f', 2 + moreDecimals));
       break;
     case LengthUnit::Millimetres:
       break;

@@ -11,7 +11,7 @@ namespace dermis {
 /// In which the program shows lengths of the model; materials always count in millimetres.
 enum class LengthUnit { Automatic, Millimetres, Centimetres, Inches };
 /// "118.2 mm", "11.8 cm"; automatic: metres from a metre on.
-[[nodiscard]] QString lengthText(double millimetres, LengthUnit unit);
+[[nodiscard]] QString lengthText(double millimetres, LengthUnit unit, int moreDecimals = 0);
 
 struct PreferenceValues {
   ThemeChoice theme = ThemeChoice::Dark;

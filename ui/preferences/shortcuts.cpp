@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
-#include <QRegularExpression>
 #include <QSettings>
 
 namespace dermis {
@@ -36,10 +35,7 @@ void Shortcuts::collect(const QMenu* menu, const QString& path) {
     }
     if (action->isSeparator() || label.isEmpty()) continue;
     Entry entry;
-    static const QRegularExpression kNoWord(QStringLiteral("[^a-z0-9]+"));
-    entry.id = action->objectName().isEmpty()
-                   ? (path + QLatin1Char('/') + label).toLower().replace(kNoWord, QStringLiteral("_"))
-                   : action->objectName();
+    entry.id = action->objectName();
     entry.menu = path;
     entry.label = label;
     entry.action = action;

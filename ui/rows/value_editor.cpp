@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/material/parameter_docs.h"
 #include "ui/rows/choice_editors.h"
 #include "ui/rows/colour_editor.h"
 #include "ui/rows/gaussians_editor.h"
 #include "ui/rows/scalar_editor.h"
 #include "ui/rows/vector_editor.h"
+#include "ui/translation.h"
 
 namespace dermis {
 
@@ -34,12 +36,7 @@ ValueEditor* makeEditor(const ParameterRow& row, QWidget* parent) {
       return new ColourEditor(true, range, parent);
     case ParameterType::Enum: {
       QStringList words;
-      for (const std::string_view word : row.words) {
-        QString text = QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size()));
-        text.replace(QLatin1Char('_'), QLatin1Char(' '));
-        text[0] = text[0].toUpper();
-        words << text;
-      }
+      for (const std::string_view word : row.words) words << tableText(choiceLabel(word));
       return new ChoiceEditor(words, parent);
     }
     case ParameterType::Bool:

@@ -106,6 +106,7 @@ QToolButton[autoRaise="true"] { background: transparent; border: 1px solid trans
 QToolButton[autoRaise="true"]:hover { background: @raised; }
 QToolButton[autoRaise="true"]:focus { border-color: @accent; }
 QToolButton::menu-indicator { image: none; }
+QLineEdit QToolButton { padding: 0; border: none; min-height: 0; background: transparent; }
 QToolButton[groupHead="true"] { background: @head; border: none; border-top: 1px solid @raised; border-bottom: 1px solid @well; border-radius: 0; padding: 5px 8px;
   text-align: left; color: @strong; font-weight: 500; }
 QToolButton[groupHead="true"]:hover { background: @button; }

@@ -5,7 +5,9 @@
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
+#include <QTimer>
 #include <array>
+#include <utility>
 
 #include "ui/theme/style_sheet.h"
 
@@ -83,12 +85,44 @@ QPalette chromePalette(bool dark) {
   return p;
 }
 
-/// Asked before our own palette takes the system's place. Qt 6.4 doesn't tell whether the system is dark: its colours
-/// do.
-bool systemIsDark() {
-  static const bool kDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
-  return kDark;
+std::function<bool()>& probe() {
+  static std::function<bool()> s_probe;
+  return s_probe;
 }
+
+/// Qt 6.4 doesn't tell whether the system is dark: its colours do, once our own are out of the way.
+bool systemIsDark() {
+  if (probe()) return probe()();
+  QApplication::setPalette(QPalette());
+  return QApplication::palette().color(QPalette::Window).lightness() < 128;
+}
+
+/// Windows are told when the desktop's theme changes.
+class ThemeFollower : public QObject {
+ public:
+  explicit ThemeFollower(QApplication& application) : QObject(&application), m_application(application) {
+    application.installEventFilter(this);
+  }
+  void setChoice(ThemeChoice choice) { m_choice = choice; }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::ThemeChange && m_choice == ThemeChoice::System && watched->isWindowType() &&
+        !m_queued) {
+      m_queued = true;
+      QTimer::singleShot(0, this, [this] {
+        applyTheme(m_application, m_choice);
+        m_queued = false;
+      });
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  QApplication& m_application;
+  ThemeChoice m_choice = ThemeChoice::Dark;
+  bool m_queued = false;
+};
 
 /// A face whose digits have one width, so that numbers below each other line up.
 QFont chromeFont() {
@@ -106,16 +140,17 @@ QFont chromeFont() {
 
 }  // namespace
 
+void setSystemDarkProbe(std::function<bool()> asked) { probe() = std::move(asked); }
+
 void applyTheme(QApplication& application, ThemeChoice choice) {
-  const bool systemDark = systemIsDark();
-  const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemDark);
-  static const bool kFirst = [] {
+  static ThemeFollower* const s_follower = [&application] {
     loadChromeResources();
     QApplication::setStyle(new ChromeStyle);
     QApplication::setFont(chromeFont());
-    return true;
+    return new ThemeFollower(application);
   }();
-  Q_UNUSED(kFirst);
+  s_follower->setChoice(choice);
+  const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemIsDark());
   QApplication::setPalette(chromePalette(dark));
   const QString sheet = styleSheet(dark);
   if (application.styleSheet() != sheet) application.setStyleSheet(sheet);

@@ -1,6 +1,5 @@
 #include "ui/viewport/measure_tool.h"
 
-#include <QCoreApplication>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -16,6 +15,11 @@ void MeasureTool::setEnabled(bool enabled) {
   cancel();
 }
 
+void MeasureTool::setUnit(LengthUnit unit) {
+  m_unit = unit;
+  m_viewport.updateOverlay();
+}
+
 std::optional<glm::vec3> MeasureTool::surfaceAt(QPointF at) const {
   if (!m_document.isReady()) return std::nullopt;
   const Ray ray = m_viewport.projection().ray(at);
@@ -26,6 +30,11 @@ std::optional<glm::vec3> MeasureTool::surfaceAt(QPointF at) const {
 std::optional<double> MeasureTool::millimetres() const {
   if (!m_from || !m_to) return std::nullopt;
   return static_cast<double>(glm::length(*m_to - *m_from)) * static_cast<double>(m_document.millimetresPerUnit());
+}
+
+QString MeasureTool::words() const {
+  const auto length = millimetres();
+  return length ? lengthText(*length, m_unit, 1) : QString();
 }
 
 bool MeasureTool::press(const QMouseEvent& event) {
@@ -48,8 +57,7 @@ void MeasureTool::cancel() {
 }
 
 void MeasureTool::paint(QPainter& p, const Projection& view) {
-  const auto length = millimetres();
-  if (!length) return;
+  if (!m_from || !m_to) return;
   const auto a = view.toScreen(*m_from);
   const auto b = view.toScreen(*m_to);
   if (!a || !b) return;
@@ -60,9 +68,7 @@ void MeasureTool::paint(QPainter& p, const Projection& view) {
     p.drawEllipse(*a, 3.0, 3.0);
     p.drawEllipse(*b, 3.0, 3.0);
   }
-  const QString words =
-      QCoreApplication::translate("dermis::MeasureTool", "%1 mm").arg(*length, 0, 'f', *length < 100.0 ? 2 : 1);
-  paintTag(p, *b + QPointF(10.0, 0.0), Qt::AlignRight, words);
+  paintTag(p, *b + QPointF(10.0, 0.0), Qt::AlignRight, words());
 }
 
 }  // namespace dermis

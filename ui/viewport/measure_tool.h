@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/scene/scene.h"
+#include "ui/preferences/preferences.h"
 #include "ui/viewport/viewport_tool.h"
 
 namespace dermis {
@@ -17,8 +18,12 @@ class MeasureTool : public ViewportTool {
   MeasureTool(Document& document, Viewport& viewport) : m_document(document), m_viewport(viewport) {}
   /// While it is on, a drag with the left button measures; turning it off forgets the line.
   void setEnabled(bool enabled);
+  /// In which it says what it has measured.
+  void setUnit(LengthUnit unit);
   /// Nothing until two points of the surface are known.
   [[nodiscard]] std::optional<double> millimetres() const;
+  /// The same in the unit that was set.
+  [[nodiscard]] QString words() const;
 
   bool press(const QMouseEvent& event) override;
   void drag(const QMouseEvent& event) override;
@@ -30,6 +35,7 @@ class MeasureTool : public ViewportTool {
   Document& m_document;
   Viewport& m_viewport;
   bool m_enabled = false;
+  LengthUnit m_unit = LengthUnit::Automatic;
   std::optional<glm::vec3> m_from, m_to;
 };
 

@@ -211,4 +211,26 @@ std::string parametersAsJsonSchema() {
   return writeJson(schema);
 }
 
+std::string choiceLabel(std::string_view word) {
+  std::string label(word);
+  std::ranges::replace(label, '_', ' ');
+  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') label[0] = static_cast<char>(label[0] - 'a' + 'A');
+  return label;
+}
+
+std::vector<std::string> tableWords() {
+  std::vector<std::string> words;
+  const auto add = [&](std::string_view word) {
+    if (!word.empty() && std::ranges::find(words, word) == words.end()) words.emplace_back(word);
+  };
+  for (const ParameterRow& row : parameterTable()) {
+    for (const std::string_view word : {row.label, row.group, row.sentence}) add(word);
+    for (const std::string_view word : row.words) add(choiceLabel(word));
+  }
+  for (const ShadingModelRow& row : shadingModels())
+    for (const std::string_view word : {row.label, row.sentence}) add(word);
+  for (const TextureSlotRow& row : textureSlots()) add(row.label);
+  return words;
+}
+
 }  // namespace dermis

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace dermis {
 
@@ -14,5 +16,10 @@ namespace dermis {
 [[nodiscard]] std::string parametersAsMarkdown();
 /// JSON Schema (2020-12) of preset files, format "dermis.material", version 1.
 [[nodiscard]] std::string parametersAsJsonSchema();
+/// Labels, groups, sentences and choices of the tables of parameters, shading models and maps, each once: what a
+/// translator needs beside the editor's own words.
+[[nodiscard]] std::vector<std::string> tableWords();
+/// How a choice is shown: "mean_free_path" is "Mean free path".
+[[nodiscard]] std::string choiceLabel(std::string_view word);
 
 }  // namespace dermis
