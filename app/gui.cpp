@@ -91,7 +91,8 @@ std::map<std::string, std::string> metadataOf(const ResolvedScene& scene, const 
       if (tiles.empty()) read(texture.path);
       for (const UdimTile& tile : tiles) read(tile.file.string());
     }
-  return cli::pictureMetadata(look, {request.size, request.samples, scene.scene.view.transform, glRenderer, {}});
+  return cli::pictureMetadata(
+      look, {request.size, request.samples, scene.scene.view.transform, glRenderer, {}, request.references});
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ std::map<std::string, std::string> pictureMetadata(const Look& look, const Pictu
   json["samples"] = facts.samples;
   json["view"] = facts.view;
   if (!facts.aov.empty()) json["aov"] = facts.aov;
+  if (facts.references != ReferenceObjects{})
+    json["references"] = {{"balls", facts.references.balls}, {"chart", facts.references.chart}};
   Json inputs = Json::array();
   for (const fs::path& input : look.inputs) {
     const Result<std::uint64_t> hash = contentHashOfFile(input);

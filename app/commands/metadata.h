@@ -21,10 +21,11 @@ struct PictureFacts {
   std::string view;  ///< "Raw": scene-linear
   std::string glRenderer;
   std::string aov;  ///< where the file shows another image of the frame than the picture
+  ReferenceObjects references;
 };
 
-/// {"program", "version", "gl_renderer", "size", "samples", "view", "aov", "scene", "inputs": [{"path", "xxh64"}]}: the
-/// scene with every preset inline, paths relative to its folder and only file names outside it.
+/// {"program", "version", "gl_renderer", "size", "samples", "view", "aov", "references", "scene", "inputs": [{"path",
+/// "xxh64"}]}: the scene with every preset inline, paths relative to its folder and only file names outside it.
 [[nodiscard]] std::map<std::string, std::string> pictureMetadata(const Look& look, const PictureFacts& facts);
 
 }  // namespace dermis::cli

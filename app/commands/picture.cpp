@@ -85,6 +85,7 @@ Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& lo
   frame.camera = look.resolved.camera;
   frame.view = look.resolved.scene.view;
   frame.targetSamples = request.samples;
+  frame.references = request.references;
   frame.exactDisplay = true;
   for (int sample = 0; sample < request.samples; ++sample) {
     if (!renderer.renderFrame(frame)) {
@@ -136,8 +137,8 @@ Outcome<void> writePicture(Renderer& renderer, const Look& look, const PictureRe
   const auto optionsFor = [&](const std::string& aov) {
     ImageWriteOptions options;
     if (request.metadata)
-      options.metadata = pictureMetadata(
-          look, {request.size, request.samples, look.resolved.scene.view.transform, renderer.glInfo().renderer, aov});
+      options.metadata = pictureMetadata(look, {request.size, request.samples, look.resolved.scene.view.transform,
+                                                renderer.glInfo().renderer, aov, request.references});
     return options;
   };
   const std::string extension = extensionOf(request.output);

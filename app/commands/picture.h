@@ -19,6 +19,7 @@ struct PictureRequest {
   int samples = 64;
   std::vector<Aov> aovs;  ///< besides the beauty: layers of an EXR, else files of their own
   bool metadata = true;
+  ReferenceObjects references;
 };
 
 /// Endings that a picture may have.

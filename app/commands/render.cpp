@@ -17,6 +17,7 @@ struct RenderOptions {
   LookOptions look;
   std::string size = "1280x720";
   int samples = 64;
+  ReferenceObjects references;
   std::vector<std::string> aovs;
   std::string output;
   bool noMetadata = false;
@@ -47,6 +48,7 @@ Outcome<int> render(const RenderOptions& options) {
   if (!size) return tl::unexpected(size.error());
   request.size = *size;
   request.samples = options.samples;
+  request.references = options.references;
   request.metadata = !options.noMetadata;
   for (const std::string& name : options.aovs) {
     const Outcome<Aov> aov = aovNamed(name);
@@ -123,6 +125,8 @@ void addRender(CLI::App& root, Action& action) {
       ->allow_extra_args(false);
   command->add_option("-o,--output", options->output, "The picture to write; its ending chooses the format")
       ->type_name("OUT");
+  command->add_flag("--balls", options->references.balls, "A grey and a chrome ball in the corner, lit by the scene");
+  command->add_flag("--chart", options->references.chart, "A colour chart in the corner, lit by the scene");
   command->add_flag("--no-metadata", options->noMetadata,
                     "Leave scene, inputs, version and GL renderer out of the file");
   command->add_flag("--gl-info", options->glInfo, "Say which OpenGL draws; enough by itself");

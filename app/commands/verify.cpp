@@ -35,6 +35,7 @@ struct Recipe {
   glm::ivec2 size{0};
   int samples = 0;
   Aov aov = Aov::Beauty;
+  ReferenceObjects references;
   Json inputs;
 };
 
@@ -64,6 +65,8 @@ Outcome<Recipe> readRecipe(const std::string& image, const ImageInfo& info, Warn
   const auto named = std::find_if(all.begin(), all.end(), [&](Aov one) { return aov == Json(toString(one)); });
   if (named == all.end()) return broken("an AOV that this version does not have");
   recipe.aov = *named;
+  if (const Json shown = json.value("references", Json()); shown.is_object())
+    recipe.references = {shown.value("balls", Json()) == Json(true), shown.value("chart", Json()) == Json(true)};
   recipe.glRenderer = json.value("gl_renderer", Json("")).is_string() ? json.value("gl_renderer", std::string()) : "";
   recipe.inputs = json.value("inputs", Json::array());
   Result<Scene> scene = readScene(json["scene"].dump(), image, {}, warnings);
@@ -152,6 +155,7 @@ Outcome<int> verify(const VerifyOptions& options) {
   request.output = options.image;
   request.size = recipe->size;
   request.samples = recipe->samples;
+  request.references = recipe->references;
   if (recipe->aov != Aov::Beauty) request.aovs = {recipe->aov};
   auto layers = renderLayers(renderer, look, request, progress);
   if (!layers) return tl::unexpected(layers.error());

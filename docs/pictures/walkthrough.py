@@ -171,7 +171,7 @@ def walk_through(home, pictures):
 
     # Its maps.
     click(need("Texture maps", pyatspi.ROLE_PAGE_TAB))
-    for name in ("Albedo", "Normal"):
+    for name in ("Albedo", "Normal", "Roughness"):
         click(need(f"{name} map: choose a file", pyatspi.ROLE_PUSH_BUTTON))
         file_dialog(f"Choose the {name.lower()} map", os.path.join(home, f"head_{name.lower()}.png"))
         time.sleep(2)

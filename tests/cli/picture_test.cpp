@@ -85,6 +85,16 @@ TEST_F(Picture, IsVerifiedByRenderingAgain) {
   EXPECT_EQ(runDermis({"verify", (m_folder / "bare.png").string()}).exitCode, 3);
 }
 
+TEST_F(Picture, BallsAndChartAreToldAndDrawnAgain) {
+  const std::string plain = (m_folder / "plain.png").string(), shown = (m_folder / "shown.png").string();
+  render("plain.png");
+  render("shown.png", {"--balls", "--chart"});
+  EXPECT_EQ(runDermis({"compare", plain, shown, "--tolerance", "0.02"}).exitCode, 4);
+  EXPECT_FALSE(inspected(plain)["metadata"]["dermis"].contains("references"));
+  EXPECT_EQ(inspected(shown)["metadata"]["dermis"]["references"], (json{{"balls", true}, {"chart", true}}));
+  EXPECT_EQ(runDermis({"verify", shown, "--tolerance", "0.01"}).exitCode, 0);
+}
+
 TEST_F(Picture, AovsAreFilesOfTheirOwnBesideAPng) {
   const std::string look = (m_folder / "look.png").string();
   const ProgramResult result = runDermis({"render", "--size", "48x32", "--samples", "2", "--aov", "Thickness", "--aov",

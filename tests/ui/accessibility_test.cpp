@@ -81,6 +81,31 @@ TEST_F(Accessibility, ASliderHasTheParametersNumbersAndSetsThem) {
   EXPECT_FLOAT_EQ(document().currentLook()->worn.material.parameters.subsurfaceScale, 1.25F);
 }
 
+TEST_F(Accessibility, AChoiceIsCalledWhatItChoosesAndItsEntriesCanBePressed) {
+  QAccessibleInterface* choice = named(QStringLiteral("Subsurface › Radius reading"), QAccessible::ComboBox);
+  ASSERT_NE(choice, nullptr);
+  ASSERT_EQ(choice->childCount(), 3);
+  EXPECT_EQ(choice->text(QAccessible::Value), QStringLiteral("Diffuse mean free path"));
+  QAccessibleInterface* entry = choice->child(2);
+  EXPECT_EQ(entry->text(QAccessible::Name), QStringLiteral("Burley d"));
+  EXPECT_FALSE(entry->state().selected);
+  entry->actionInterface()->doAction(QAccessibleActionInterface::pressAction());
+  EXPECT_EQ(document().currentLook()->worn.material.parameters.subsurfaceRadiusReading, RadiusReading::BurleyD);
+  EXPECT_EQ(choice->text(QAccessible::Value), QStringLiteral("Burley d"));
+  EXPECT_TRUE(entry->state().selected);
+  EXPECT_EQ(undo().count(), 1);
+}
+
+TEST_F(Accessibility, TextThatIsPutIntoAFieldCountsAtOnce) {
+  QAccessibleInterface* field = named(QStringLiteral("Transmission › Thickness max"), QAccessible::SpinBox);
+  ASSERT_NE(field, nullptr);
+  QAccessibleEditableTextInterface* words = field->editableTextInterface();
+  ASSERT_NE(words, nullptr);
+  words->replaceText(0, field->textInterface()->characterCount(), QStringLiteral("1,25 cm"));
+  EXPECT_FLOAT_EQ(document().currentLook()->worn.material.parameters.transmissionThicknessMaxMm, 12.5F);
+  EXPECT_EQ(undo().count(), 1);
+}
+
 TEST_F(Accessibility, EveryControlTakesTheFocusFromTheKeyboard) {
   for (QWidget* control : window->findChildren<QWidget*>()) {
     const bool takes = qobject_cast<ValueSlider*>(control) != nullptr ||

@@ -67,6 +67,7 @@ ScreenshotDialog::ScreenshotDialog(const glm::ivec2& viewport, const QString& vi
   m_width = spin(1, 16384, viewport.x, tr("Width in pixels"), this);
   m_height = spin(1, 16384, viewport.y, tr("Height in pixels"), this);
   auto* pixels = new QHBoxLayout();
+  pixels->setSpacing(metrics::kGap);
   pixels->addWidget(m_width);
   pixels->addWidget(new QLabel(QStringLiteral("×"), this));
   pixels->addWidget(m_height);
@@ -92,6 +93,7 @@ ScreenshotDialog::ScreenshotDialog(const glm::ivec2& viewport, const QString& vi
   auto* browse = new QPushButton(tr("Choose…"), this);
   browse->setAutoDefault(false);
   auto* file = new QHBoxLayout();
+  file->setSpacing(metrics::kGap);
   file->addWidget(m_path, 1);
   file->addWidget(browse);
   form->addRow(tr("File"), file);

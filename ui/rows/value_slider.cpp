@@ -159,11 +159,12 @@ void ValueSlider::paintEvent(QPaintEvent*) {
 
   // The track; the filled part starts at zero where the range spans it.
   p.setPen(Qt::NoPen);
-  p.setBrush(colours.color(QPalette::Dark));
+  const bool lightTheme = colours.color(QPalette::Window).lightness() > 128;
+  p.setBrush(colours.color(lightTheme ? QPalette::Mid : QPalette::Dark));
   p.drawRoundedRect(QRectF(left - 2, y - 2, right - left + 4, 4), 2, 2);
   const double from =
       m_range.softMin < 0.0 && m_range.softMax > 0.0 ? left + fractionOf(0.0) * (right - left) : left - 2;
-  p.setBrush(active ? colours.color(QPalette::Light) : colours.color(QPalette::Mid));
+  p.setBrush(colours.color(active ? QPalette::PlaceholderText : lightTheme ? QPalette::Dark : QPalette::Mid));
   p.drawRoundedRect(QRectF(std::min(from, x), y - 2, std::abs(x - from), 4), 2, 2);
 
   if (m_default) {

@@ -44,6 +44,7 @@ class ChromeStyle : public QProxyStyle {
                 QStyleHintReturn* data) const override {
     if (hint == SH_ComboBox_Popup) return 0;
     if (hint == SH_ToolTip_WakeUpDelay) return 500;
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
 };
