@@ -35,7 +35,7 @@ SLIDERS = [
     ("surface.normal_strength", "Surface › Normal strength", 0.60),
 ]
 ENVIRONMENT = "Window daylight"
-SAMPLES = 8
+SAMPLES = 6
 
 
 def run(*words):

@@ -137,7 +137,7 @@ class Census:
             # By its role, or because the keyboard reaches it.
             if role not in CONTROLS and (role in CONTENT or not has(node, pyatspi.STATE_FOCUSABLE)):
                 continue
-            if role == pyatspi.ROLE_PAGE_TAB_LIST and not has(node, pyatspi.STATE_SHOWING):
+            if role == pyatspi.ROLE_PAGE_TAB_LIST and all(s.role != pyatspi.ROLE_PAGE_TAB for s in walk(node)):
                 continue  # Qt keeps bars without tabs for later
             self.controls += 1
             if not name:

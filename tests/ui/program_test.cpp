@@ -195,6 +195,13 @@ TEST_F(Program, TheHistoryNamesStatesAndGoesToThem) {
   find<QWidget>(QStringLiteral("dock.history"))->hide();
 }
 
+TEST_F(Program, ASelectedPictureKeepsItsColours) {
+  QPixmap orange(16, 16);
+  orange.fill(QColor(200, 120, 40));
+  const QImage shown = QIcon(orange).pixmap(QSize(16, 16), QIcon::Selected).toImage();
+  EXPECT_EQ(shown.pixelColor(8, 8), QColor(200, 120, 40));
+}
+
 TEST_F(Program, TheSystemsThemeIsFollowedWhenItChanges) {
   bool dark = true;
   setSystemDarkProbe([&dark] { return dark; });

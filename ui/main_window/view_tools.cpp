@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QDockWidget>
+#include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
 
@@ -195,7 +196,11 @@ void ViewTools::fillBookmarksMenu(QMenu* menu) {
 
 void ViewTools::takeSnapshot() {
   m_snapshots->take(m_viewport.picture());
-  if (m_stripDock != nullptr) m_stripDock->show();
+  if (m_stripDock == nullptr || !m_stripDock->isHidden()) return;
+  m_stripDock->show();
+  // As high as one row of pictures: the rest is the viewport's.
+  if (auto* window = qobject_cast<QMainWindow*>(&m_window); window != nullptr && !m_stripDock->isFloating())
+    window->resizeDocks({m_stripDock}, {m_stripDock->minimumSizeHint().height()}, Qt::Vertical);
 }
 
 void ViewTools::compare(const std::shared_ptr<const ResolvedScene>& scene, const QString& name) {

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QIcon>
 #include <QPalette>
 #include <QProxyStyle>
 #include <QStyleFactory>
@@ -39,6 +40,10 @@ class ChromeStyle : public QProxyStyle {
                      const QWidget* widget) const override {
     if (element == PE_FrameTabBarBase) return;
     QProxyStyle::drawPrimitive(element, option, painter, widget);
+  }
+  /// A selected picture keeps its colours: people judge them. Its frame tells that it is selected.
+  QPixmap generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap, const QStyleOption* option) const override {
+    return mode == QIcon::Selected ? pixmap : QProxyStyle::generatedIconPixmap(mode, pixmap, option);
   }
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* data) const override {
