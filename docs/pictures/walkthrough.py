@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A walk through the editor with mouse and keyboard, as a person would go, and a picture of each step for the guide.
+"""A walk through the editor with mouse and keyboard, as a person would go, and pictures of its steps for the guide.
 
   dbus-run-session -- python3 docs/pictures/walkthrough.py build/bin/dermis docs/pictures      (with a DISPLAY of 1600 × 1000)
 
@@ -127,9 +127,8 @@ class Pictures:
             last = now
             time.sleep(2.5)
 
-    def take(self, wait=True):
-        if wait:
-            self.settle()
+    def take(self):
+        self.settle()
         run("import", "-window", "root", self.screen)
         self.steps += 1
         target = os.path.join(self.out, f"walkthrough-{self.steps:02}.jpg")
@@ -182,7 +181,7 @@ def walk_through(home, pictures):
 
     # Ten sliders, after a snapshot to compare with.
     keys("ctrl+t")
-    time.sleep(2)
+    need("Snapshot 1", pyatspi.ROLE_LIST_ITEM)
     click(need("Material", pyatspi.ROLE_PAGE_TAB))
     search = need("Search parameters", pyatspi.ROLE_TEXT)
     tuned = {}
@@ -190,9 +189,9 @@ def walk_through(home, pictures):
         tuned[key] = drag_slider(need(name, pyatspi.ROLE_SLIDER), share, search)
     pictures.take()
 
-    click(need("Compare", pyatspi.ROLE_PUSH_BUTTON))
+    keys("c")
     pictures.take()
-    click(need("Compare", pyatspi.ROLE_PUSH_BUTTON))
+    keys("c")
 
     preset = os.path.join(home, "Weathered.json")
     keys("ctrl+shift+p")
@@ -200,7 +199,6 @@ def walk_through(home, pictures):
     need("File name:", pyatspi.ROLE_TEXT, dialog)
     keys("ctrl+a")
     type_text(preset)
-    pictures.take(wait=False)
     keys("Return")
     wait_for("the preset", lambda: os.path.exists(preset))
 
@@ -210,10 +208,8 @@ def walk_through(home, pictures):
     click(need("File", pyatspi.ROLE_TEXT, dialog), 3)
     keys("ctrl+a")
     type_text(picture)
-    pictures.take(wait=False)
     keys("Return")
     wait_for("the picture", lambda: os.path.exists(picture), 600)
-    pictures.take()
     return tuned, preset, picture
 
 

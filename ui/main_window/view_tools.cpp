@@ -199,8 +199,10 @@ void ViewTools::takeSnapshot() {
   if (m_stripDock == nullptr || !m_stripDock->isHidden()) return;
   m_stripDock->show();
   // As high as one row of pictures: the rest is the viewport's.
-  if (auto* window = qobject_cast<QMainWindow*>(&m_window); window != nullptr && !m_stripDock->isFloating())
-    window->resizeDocks({m_stripDock}, {m_stripDock->minimumSizeHint().height()}, Qt::Vertical);
+  auto* window = qobject_cast<QMainWindow*>(&m_window);
+  auto* dock = qobject_cast<QDockWidget*>(m_stripDock);
+  if (window != nullptr && dock != nullptr)
+    window->resizeDocks({dock}, {dock->minimumSizeHint().height()}, Qt::Vertical);
 }
 
 void ViewTools::compare(const std::shared_ptr<const ResolvedScene>& scene, const QString& name) {
