@@ -161,6 +161,22 @@ TEST_F(UdimPictures, NormalsAndHeightsAreReadByTile) {
   }
 }
 
+TEST_F(UdimPictures, AMovingPictureReadsThemToo) {
+  // Dense enough for two steps, with a lamp that shines through what the thickness map says.
+  ResolvedScene scene = sceneOf(spread(glm::vec2(2.0F, 1.0F), 72), materialOf(ShadingModel::Skin));
+  scene.scene.lights = {pointLight({0.0F, 0.0F, 2.0F}, 6.0F)};
+  const auto dark = setOf({1001, 1002}, 2, [](int number, int, int) { return number == 1001 ? 0.05F : 1.0F; });
+  setMap(scene, TextureSlot::Albedo, dark);
+  setMap(scene, TextureSlot::Thickness, dark);
+  const std::vector<std::uint8_t> shown = movingPicture(scene, true);
+  const auto red = [&](int x) {
+    return int{shown[4 * (static_cast<std::size_t>(m_size.y / 2) * static_cast<std::size_t>(m_size.x) +
+                          static_cast<std::size_t>(x))]};
+  };
+  EXPECT_GT(red(36), red(12) + 40) << red(12);
+  EXPECT_GT(red(36), 60);
+}
+
 TEST_F(UdimPictures, EveryModelReadsThemInEverySlot) {
   const auto set = setOf({1001, 1002}, 2, [](int, int, int) { return 0.5F; });
   for (const ShadingModel model : {ShadingModel::Eye, ShadingModel::Thesis, ShadingModel::MetallicRoughness}) {
