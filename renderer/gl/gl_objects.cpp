@@ -164,8 +164,6 @@ void Texture::uploadAll(int level, GLenum format, GLenum type, const void* pixel
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-void Texture::generateMipmaps() const { glGenerateTextureMipmap(id()); }
-
 Texture Texture::asArray() const {
   GLuint id = 0;
   glGenTextures(1, &id);

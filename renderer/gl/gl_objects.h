@@ -102,7 +102,6 @@ class Texture : public Handle<deleteTexture> {
   void uploadLayer(int level, int layer, GLenum format, GLenum type, const void* pixels) const;
   /// Fills a whole level of a 3D texture, array or cube.
   void uploadAll(int level, GLenum format, GLenum type, const void* pixels) const;
-  void generateMipmaps() const;
   /// The same texels seen as an array of one layer, which filters and repeats as this one does.
   [[nodiscard]] Texture asArray() const;
   void setFilter(GLenum minification, GLenum magnification) const;

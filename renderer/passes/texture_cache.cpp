@@ -57,7 +57,6 @@ bool TextureCache::request(const std::shared_ptr<const Image>& image, const Text
   pending.key = key;
   pending.image = image;
   pending.recipe = recipeFor(*image, binding, slot, messages);
-  pending.recipe.allMips = true;
   if (m_pending.empty()) m_asked = 0;
   ++m_asked;
   m_pending.push_back(std::move(pending));

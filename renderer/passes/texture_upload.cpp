@@ -35,8 +35,7 @@ GlFormat formatFor(const Image& image, bool srgb) {
 }
 
 /// One picture's levels.
-std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe, bool allMips, bool& srgb,
-                                 Warnings& messages) {
+std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe, bool& srgb, Warnings& messages) {
   // What the GPU decodes itself stays as it is; the rest becomes linear here.
   const Image* source = &image;
   Image changed;
@@ -72,8 +71,8 @@ std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe
   // Rows come from the top, texture coordinates count from the bottom.
   std::vector<Image> levels;
   levels.push_back(flippedRows(*source));
-  while (allMips && (levels.back().width > 1 || levels.back().height > 1))
-    levels.push_back(halved(levels.back(), srgb));
+  // Made here and not by the driver: software GL would compile a program for each format first.
+  while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back(), srgb));
   return levels;
 }
 
@@ -82,13 +81,13 @@ std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe
 PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) {
   PreparedTexture prepared;
   if (image.tiles.empty()) {
-    prepared.layers.push_back(prepareLevels(image, recipe, recipe.allMips, prepared.srgb, prepared.messages));
+    prepared.layers.push_back(prepareLevels(image, recipe, prepared.srgb, prepared.messages));
     return prepared;
   }
   prepared.isSet = true;
   for (std::size_t i = 0; i < image.tiles.size(); ++i) {
     Warnings said;
-    prepared.layers.push_back(prepareLevels(tileOf(image, i), recipe, true, prepared.srgb, said));
+    prepared.layers.push_back(prepareLevels(tileOf(image, i), recipe, prepared.srgb, said));
     if (i == 0) prepared.messages = std::move(said);  // the same for all
   }
   return prepared;
@@ -116,7 +115,6 @@ TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const s
 
 bool TextureUpload::step(std::size_t bytes) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  const bool driverMips = m_prepared.layers.front().size() == 1;
   std::size_t sent = 0;
   while (m_layer < m_prepared.layers.size() && sent < bytes) {
     std::vector<Image>& levels = m_prepared.layers[m_layer];
@@ -141,9 +139,7 @@ bool TextureUpload::step(std::size_t bytes) {
     ++m_layer;
   }
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  if (m_layer < m_prepared.layers.size()) return false;
-  if (driverMips) m_texture.generateMipmaps();
-  return true;
+  return m_layer == m_prepared.layers.size();
 }
 
 }  // namespace dermis

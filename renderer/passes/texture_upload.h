@@ -17,7 +17,6 @@ struct TextureRecipe {
   TextureColour colour;
   bool isNormal = false;
   int maximumSize = 0;
-  bool allMips = false;  ///< else the first level, and the driver makes the rest
 };
 
 /// Levels as the GPU takes them, first row lowest.
