@@ -92,33 +92,35 @@ std::string gradientHdr(int width, int height) {
   return bytes;
 }
 
-class Latency : public Editor {};
-
 /// What is loaded, made at some size.
 struct Load {
   std::string model, sky;
   std::vector<std::string> maps;
 };
 
-Load makeLoad(const QTemporaryDir& folder, const std::string& name, int squares, int skyHeight, int mapSide) {
-  Load load{write(folder, (name + ".ply").c_str(), bumpySphere(squares)),
-            write(folder, (name + ".hdr").c_str(), gradientHdr(2 * skyHeight, skyHeight)),
-            {}};
-  Image map;
-  map.width = map.height = mapSide;
-  map.channels = 3;
-  map.pixels.resize(map.rowBytes() * static_cast<std::size_t>(mapSide));
-  for (std::size_t i = 0; i < map.pixels.size(); ++i)
-    map.pixels[i] = static_cast<std::byte>((i / 3 / 64 + i / 786432) % 200 + 40);
-  for (int i = 0; i < 8; ++i) {
-    load.maps.push_back(folder.filePath(QString::fromStdString(name) + QStringLiteral("%1.png").arg(i)).toStdString());
-    if (i == 0)
-      EXPECT_TRUE(writePng(load.maps.front(), map, {}).has_value());
-    else
-      EXPECT_TRUE(QFile::copy(QString::fromStdString(load.maps.front()), QString::fromStdString(load.maps.back())));
+class Latency : public Editor {
+ protected:
+  static Load makeLoad(const QTemporaryDir& folder, const std::string& name, int squares, int skyHeight, int mapSide) {
+    Load load{write(folder, (name + ".ply").c_str(), bumpySphere(squares)),
+              write(folder, (name + ".hdr").c_str(), gradientHdr(2 * skyHeight, skyHeight)),
+              {}};
+    Image map;
+    map.width = map.height = mapSide;
+    map.channels = 3;
+    map.pixels.resize(map.rowBytes() * static_cast<std::size_t>(mapSide));
+    for (std::size_t i = 0; i < map.pixels.size(); ++i)
+      map.pixels[i] = static_cast<std::byte>((i / 3 / 64 + i / 786432) % 200 + 40);
+    for (int i = 0; i < 8; ++i) {
+      load.maps.push_back(
+          folder.filePath(QString::fromStdString(name) + QStringLiteral("%1.png").arg(i)).toStdString());
+      if (i == 0)
+        EXPECT_TRUE(writePng(load.maps.front(), map, {}).has_value());
+      else
+        EXPECT_TRUE(QFile::copy(QString::fromStdString(load.maps.front()), QString::fromStdString(load.maps.back())));
+    }
+    return load;
   }
-  return load;
-}
+};
 
 TEST_F(Latency, DISABLED_LongestBlockWhileMuchIsLoaded) {
   const QTemporaryDir folder;
