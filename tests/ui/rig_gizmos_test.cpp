@@ -73,7 +73,7 @@ TEST_F(RigGestures, ADragMovesASoftboxAsOneEntryAndThePictureFollows) {
   EXPECT_TRUE(document().scene().environment.rig);
   EXPECT_TRUE(document().scene().environment.builtin.empty());
   // While the hand holds it, a coarse light comes.
-  EXPECT_TRUE(QTest::qWaitFor([&] { return document().environmentImages()->preview; }, 5000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return document().environmentImages()->preview; }, kPatienceMs));
   letGo(to);
   EXPECT_EQ(undo().count(), 1);
   EXPECT_LT((gizmos().handle(0) - to).manhattanLength(), 1.5);

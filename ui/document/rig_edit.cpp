@@ -84,7 +84,7 @@ void RigEdit::bake() {
   m_bakingFor = source;
   m_tasks.run(
       QStringLiteral("rig"), m_dragging ? QString() : tr("Lighting"),
-      [rig = source.rig, coarse = m_dragging](std::stop_token stop) {
+      [rig = source.rig, coarse = m_dragging](const std::stop_token& stop) {
         auto made = environmentOfRig(*rig, rig->name, coarse ? kCoarseWidth : 0, stop);
         if (!made || !coarse) return made;
         auto preview = std::make_shared<EnvironmentImages>(**made);
@@ -132,7 +132,11 @@ void RigEdit::setDragging(bool dragging) {
 
 void RigEdit::setPictureBusy(bool busy) {
   m_pictureBusy = busy;
-  if (busy) return;
+  if (busy) {
+    // Other work than this light's may last as long as the hand holds on: the light doesn't wait for it.
+    if (!m_soon.isActive()) m_soon.start();
+    return;
+  }
   m_soon.stop();
   bake();
 }

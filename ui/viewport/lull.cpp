@@ -26,7 +26,7 @@ void Lull::start(double pictureMs) {
     m_wakes = 0;
     m_timer.start(std::min(static_cast<int>(kShare * m_pictureMs), kLongestMs));
   };
-  QMetaObject::invokeMethod(this, begin, Qt::QueuedConnection);
+  QTimer::singleShot(0, this, begin);
 }
 
 void Lull::elapsed() {
