@@ -80,6 +80,17 @@ class PictureEditor : public Editor {
   static Viewport* viewport() { return window->viewport(); }
   static void send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held,
                    Qt::KeyboardModifiers keys = {});
+  static void wake() { moveTo(viewport()->rect().center() + QPointF(3.0, 3.0)); }
+  static void moveTo(QPointF at) { send(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton); }
+  static void press(QPointF at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
+    send(QEvent::MouseButtonPress, at, button, button, keys);
+  }
+  static void pull(QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton) {
+    for (int i = 1; i <= 8; ++i) send(QEvent::MouseMove, from + (to - from) * (i / 8.0), Qt::NoButton, button);
+  }
+  static void letGo(QPointF at, Qt::MouseButton button = Qt::LeftButton) {
+    send(QEvent::MouseButtonRelease, at, button, Qt::NoButton);
+  }
 };
 
 void closeEditor();

@@ -32,17 +32,6 @@ class Gizmos : public PictureEditor {
     gizmos().select(0);
     m_entries = undo().count();
   }
-  void wake() { moveTo(viewport()->rect().center() + QPointF(3.0, 3.0)); }
-  void moveTo(QPointF at) { send(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton); }
-  void press(QPointF at, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton) {
-    send(QEvent::MouseButtonPress, at, button, button, keys);
-  }
-  void pull(QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton) {
-    for (int i = 1; i <= 8; ++i) send(QEvent::MouseMove, from + (to - from) * (i / 8.0), Qt::NoButton, button);
-  }
-  void letGo(QPointF at, Qt::MouseButton button = Qt::LeftButton) {
-    send(QEvent::MouseButtonRelease, at, button, Qt::NoButton);
-  }
   int entries() { return undo().count() - m_entries; }
 
   int m_entries = 0;

@@ -15,18 +15,16 @@
 namespace dermis {
 namespace {
 
-class RigGestures : public Editor {
+class RigGestures : public PictureEditor {
  protected:
   QTemporaryDir folder;
 
   void SetUp() override {
-    Editor::SetUp();
+    PictureEditor::SetUp();
     if (HasFatalFailure()) return;
     window->loading().openModel(ModelSource{{}, "sphere", {}, std::nullopt});
     ASSERT_TRUE(waitIdle());
     light({}, "studio");
-    window->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get(), kPatienceMs));
     gizmos().setEnabled(true);
     undo().clear();
     wake();
@@ -38,20 +36,9 @@ class RigGestures : public Editor {
     window->loading().setEnvironment(source);
     ASSERT_TRUE(waitIdle());
   }
-  Viewport* viewport() { return window->viewport(); }
   RigGizmos& gizmos() { return window->viewTools()->rigGizmos(); }
   RigEdit& edit() { return window->viewTools()->rig(); }
   const RigElement& element(std::size_t i) { return edit().rig()->elements.at(i); }
-  void send(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
-    QMouseEvent event(type, at, viewport()->mapToGlobal(at), button, held, {});
-    QApplication::sendEvent(viewport(), &event);
-  }
-  void wake() { send(QEvent::MouseMove, viewport()->rect().center() + QPointF(3, 3), Qt::NoButton, Qt::NoButton); }
-  void press(QPointF at) { send(QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton); }
-  void pull(QPointF from, QPointF to) {
-    for (int i = 1; i <= 8; ++i) send(QEvent::MouseMove, from + (to - from) * (i / 8.0), Qt::NoButton, Qt::LeftButton);
-  }
-  void letGo(QPointF at) { send(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton); }
   /// The light of the rig as it is now, whole.
   bool lightArrives() {
     return QTest::qWaitFor(

@@ -14,25 +14,15 @@ namespace dermis {
 namespace {
 
 constexpr double kHandleRadius = 13.0;
-constexpr int kSleepAfterMs = 2500;
 constexpr float kRadiansPerPixel = 0.008F;
-
-double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
 }  // namespace
 
 LightGizmos::LightGizmos(Document& document, Viewport& viewport)
-    : QObject(&viewport), m_document(document), m_viewport(viewport) {
-  m_sleep.setSingleShot(true);
-  m_sleep.setInterval(kSleepAfterMs);
-  connect(&m_sleep, &QTimer::timeout, this, [this] {
-    if (m_grip != Grip::None) return;
-    m_awake = false;
-    m_viewport.updateOverlay();
-  });
+    : DomeGizmos(viewport, kHandleRadius), m_document(document) {
   connect(&m_document, &Document::changed, this, [this] {
     if (m_selected >= static_cast<int>(lights().size())) select(-1);
-    m_viewport.updateOverlay();
+    this->viewport().updateOverlay();
   });
 }
 
@@ -40,21 +30,18 @@ const std::vector<Light>& LightGizmos::lights() const { return m_document.scene(
 glm::vec3 LightGizmos::centre() const {
   return m_document.model() ? m_document.model()->bounds.centre() : glm::vec3(0.0F);
 }
-Projection LightGizmos::projection() const { return m_viewport.projection(); }
+Projection LightGizmos::projection() const { return viewport().projection(); }
 
 void LightGizmos::select(int light) {
   if (light == m_selected) return;
   m_selected = light;
   Q_EMIT selectionChanged(light);
-  m_viewport.updateOverlay();
+  viewport().updateOverlay();
 }
 
-void LightGizmos::setEnabled(bool enabled) {
-  m_enabled = enabled;
-  m_viewport.updateOverlay();
-}
+bool LightGizmos::isShown() const { return isAwake() && !lights().empty(); }
 
-bool LightGizmos::isShown() const { return m_enabled && m_awake && !lights().empty(); }
+std::size_t LightGizmos::count() const { return lights().size(); }
 
 void LightGizmos::holdKeyLight(bool held) {
   m_keyHeld = held;
@@ -69,49 +56,6 @@ QList<QPointF> LightGizmos::sizeHandles() const {
   if (m_selected < 0 || m_selected >= static_cast<int>(lights().size())) return {};
   const auto index = static_cast<std::size_t>(m_selected);
   return shapes::sizeHandles(lights()[index], handle(index));
-}
-
-std::optional<std::size_t> LightGizmos::lightAt(QPointF point) const {
-  std::optional<std::size_t> nearest;
-  double least = kHandleRadius;
-  for (std::size_t i = 0; i < lights().size(); ++i) {
-    const double d = distance(point, handle(i));
-    if (d > least) continue;
-    least = d;
-    nearest = i;
-  }
-  return nearest;
-}
-
-std::optional<int> LightGizmos::sizeHandleAt(QPointF point) const {
-  const QList<QPointF> handles = sizeHandles();
-  for (int i = 0; i < handles.size(); ++i)
-    if (distance(point, handles[i]) <= 7.0) return i;
-  return std::nullopt;
-}
-
-void LightGizmos::wake() {
-  if (!m_awake) {
-    m_awake = true;
-    m_viewport.updateOverlay();
-  }
-  m_sleep.start();
-}
-
-void LightGizmos::hover(const QPointF& at) {
-  wake();
-  const auto under = isShown() ? lightAt(at) : std::nullopt;
-  const int hovered = under ? static_cast<int>(*under) : -1;
-  if (hovered == m_hovered) return;
-  m_hovered = hovered;
-  m_viewport.updateOverlay();
-}
-
-void LightGizmos::leave() {
-  m_hovered = -1;
-  if (m_grip != Grip::None || !m_awake) return;
-  m_awake = false;
-  m_viewport.updateOverlay();
 }
 
 bool LightGizmos::press(const QMouseEvent& event) {
@@ -131,7 +75,7 @@ bool LightGizmos::press(const QMouseEvent& event) {
     if (const auto size = sizeHandleAt(m_pressed)) {
       m_grip = Grip::Size;
       m_sizeHandle = *size;
-    } else if (const auto light = lightAt(m_pressed)) {
+    } else if (const auto light = handleAt(m_pressed)) {
       select(static_cast<int>(*light));
       m_grip = event.modifiers().testFlag(Qt::ShiftModifier) ? Grip::Plane : Grip::Dome;
       m_offset = handle(*light) - m_pressed;
@@ -144,8 +88,8 @@ bool LightGizmos::press(const QMouseEvent& event) {
   m_start = lights()[static_cast<std::size_t>(m_selected)];
   m_gesture = newGesture();
   m_what = m_grip == Grip::Size ? tr("Size") : tr("Place");
-  m_sleep.stop();
-  m_viewport.updateOverlay();
+  stayAwake();
+  viewport().updateOverlay();
   return true;
 }
 
@@ -191,7 +135,7 @@ void LightGizmos::change(const Light& light, const QString& what) {
 void LightGizmos::release() {
   m_grip = Grip::None;
   wake();
-  m_viewport.updateOverlay();
+  viewport().updateOverlay();
 }
 
 void LightGizmos::cancel() {
@@ -201,7 +145,7 @@ void LightGizmos::cancel() {
 
 bool LightGizmos::wheel(const QWheelEvent& event) {
   if (!isShown()) return false;
-  const auto under = lightAt(event.position());
+  const auto under = handleAt(event.position());
   if (!under) return false;
   const Light& light = lights()[*under];
   const float ticks = static_cast<float>(event.angleDelta().y() + event.angleDelta().x()) / 120.0F;
@@ -216,13 +160,13 @@ bool LightGizmos::wheel(const QWheelEvent& event) {
 
 void LightGizmos::paint(QPainter& painter, const Projection& view) {
   if (!isShown()) return;
-  if (m_grip == Grip::Dome || m_grip == Grip::KeyLight || m_hovered >= 0) shapes::paintRings(painter, view);
+  if (m_grip == Grip::Dome || m_grip == Grip::KeyLight || hovered() >= 0) shapes::paintRings(painter, view);
   const float millimetres = m_document.millimetresPerUnit();
   if (m_selected >= 0 && m_selected < static_cast<int>(lights().size()))
     shapes::paintInPlace(painter, view, lights()[static_cast<std::size_t>(m_selected)], centre(), millimetres);
   for (std::size_t i = 0; i < lights().size(); ++i)
     shapes::paintHandle(painter, view, lights()[i], handle(i), centre(), static_cast<int>(i) == m_selected,
-                        static_cast<int>(i) == m_hovered);
+                        static_cast<int>(i) == hovered());
 }
 
 }  // namespace dermis

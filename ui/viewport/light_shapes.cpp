@@ -8,26 +8,17 @@
 #include <vector>
 
 #include "ui/rows/colour_math.h"
+#include "ui/viewport/handle_paint.h"
 #include "ui/viewport/light_dome.h"
 
 namespace dermis::shapes {
 namespace {
 
-constexpr double kMark = 8.0;   // half the size of a mark
-constexpr double kRing = 26.0;  // where size handles stand
-const QColor kDark(0, 0, 0, 150);
-const QColor kPale(235, 235, 235, 210);
-const QColor kAccent(255, 196, 87);
-
-/// Twice: a dark line under a pale one is seen on any picture.
-template <class Draw>
-void outlined(QPainter& p, const QColor& colour, double width, Draw draw) {
-  p.setBrush(Qt::NoBrush);
-  p.setPen(QPen(kDark, width + 2.0));
-  draw();
-  p.setPen(QPen(colour, width));
-  draw();
-}
+constexpr double kMark = 8.0;  // half the size of a mark
+using handles::kAccent;
+using handles::kPale;
+using handles::kRing;
+using handles::outlined;
 
 QColor colourOf(const Light& light) {
   const float most = std::max({light.color.r, light.color.g, light.color.b, 1e-6F});
@@ -139,11 +130,9 @@ void paintHandle(QPainter& p, const Projection& view, const Light& light, QPoint
       p.drawLine(to, to - 5.0 * unit - 3.5 * side);
     });
   }
-  p.setPen(Qt::NoPen);
-  p.setBrush(QColor(20, 20, 20, hovered || selected ? 190 : 120));
+  handles::setGround(p, hovered || selected);
   p.drawEllipse(at, 12.5, 12.5);
-  p.setPen(QPen(line, hovered ? 2.0 : 1.4));
-  p.setBrush(colourOf(light));
+  handles::setMark(p, colourOf(light), selected, hovered);
   paintMark(p, light, at);
   if (selected && hasSize(light)) {
     outlined(p, kAccent, 1.0, [&] {
@@ -157,9 +146,7 @@ void paintHandle(QPainter& p, const Projection& view, const Light& light, QPoint
         p.drawEllipse(at, kRing, kRing);
       }
     });
-    p.setPen(QPen(kDark, 1.0));
-    p.setBrush(kAccent);
-    for (const QPointF& handle : sizeHandles(light, at)) p.drawRect(QRectF(handle - QPointF(4, 4), QSizeF(8, 8)));
+    handles::paintSizeHandles(p, sizeHandles(light, at));
   }
   p.setOpacity(1.0);
 }
@@ -212,9 +199,7 @@ QList<QPointF> sizeHandles(const Light& light, QPointF at) {
 }
 
 Light dragged(const Light& start, int which, QPointF at, QPointF from, QPointF to) {
-  const double before = which == 1 ? at.y() - from.y() : from.x() - at.x();
-  const double after = which == 1 ? at.y() - to.y() : to.x() - at.x();
-  const auto factor = static_cast<float>(std::clamp(after / std::max(before, 1.0), 0.02, 50.0));
+  const float factor = handles::sizeFactor(which, at, from, to);
   if (start.type != LightType::Rect) return dome::resized(start, factor);
   Light next = start;
   float& side = which == 1 ? next.sizeMm.y : next.sizeMm.x;

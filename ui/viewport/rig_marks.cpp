@@ -1,7 +1,6 @@
 #include "ui/viewport/rig_marks.h"
 
 #include <QCoreApplication>
-#include <QFontMetrics>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -11,14 +10,14 @@
 #include "core/light_rig/light_colour.h"
 #include "core/light_rig/rig_gestures.h"
 #include "ui/rows/colour_math.h"
+#include "ui/viewport/handle_paint.h"
+#include "ui/viewport/viewport_tool.h"
 
 namespace dermis::marks {
 namespace {
 
 constexpr double kMark = 7.5;
-constexpr double kRing = 26.0;
-const QColor kPale(235, 235, 235, 210);
-const QColor kAccent(255, 196, 87);
+using handles::kRing;
 
 QString words(const char* text) { return QCoreApplication::translate("dermis::RigMarks", text); }
 
@@ -89,39 +88,25 @@ QString nameOf(const RigElement& element) {
 void paintHandle(QPainter& p, const RigElement& element, QPointF at, bool selected, bool hovered) {
   p.setRenderHint(QPainter::Antialiasing);
   p.setOpacity(element.enabled ? 1.0 : 0.45);
-  const QColor line = selected ? kAccent : kPale;
-  p.setPen(Qt::NoPen);
-  p.setBrush(QColor(20, 20, 20, hovered || selected ? 190 : 120));
+  handles::setGround(p, hovered || selected);
   p.drawRoundedRect(QRectF(at - QPointF(12, 12), QSizeF(24, 24)), 4, 4);
-  p.setPen(QPen(line, hovered ? 2.0 : 1.4));
-  p.setBrush(colourOf(element));
+  handles::setMark(p, colourOf(element), selected, hovered);
   paintMark(p, element, at);
   if (selected) {
     const QSizeF half = proportions(element) * kRing;
     const auto size = sizeOf(element);
     const QRectF box(at - QPointF(half.width(), half.height()), 2.0 * half);
-    p.setBrush(Qt::NoBrush);
-    for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 150), 3.0), std::pair(kAccent, 1.0)}) {
-      p.setPen(QPen(colour, width));
+    handles::outlined(p, handles::kAccent, 1.0, [&] {
       if (size && size->isRound)
         p.drawEllipse(box);
       else
         p.drawRect(box);
-    }
-    p.setPen(QPen(QColor(0, 0, 0, 150), 1.0));
-    p.setBrush(kAccent);
-    for (const QPointF& place : sizeHandles(element, at)) p.drawRect(QRectF(place - QPointF(4, 4), QSizeF(8, 8)));
+    });
+    handles::paintSizeHandles(p, sizeHandles(element, at));
   }
   p.setOpacity(1.0);
   if (!selected && !hovered) return;
-  const QString name = nameOf(element);
-  const QRectF text(at + QPointF(-100, selected ? kRing + 6 : 15), QSizeF(200, 18));
-  const double width = QFontMetrics(p.font()).horizontalAdvance(name) + 12.0;
-  p.setPen(Qt::NoPen);
-  p.setBrush(QColor(20, 20, 20, 170));
-  p.drawRoundedRect(QRectF(at.x() - 0.5 * width, text.top(), width, 18), 3, 3);
-  p.setPen(kPale);
-  p.drawText(text, Qt::AlignCenter, name);
+  paintTag(p, at + QPointF(0.0, selected ? kRing + 15.0 : 24.0), Qt::AlignHCenter, nameOf(element));
 }
 
 QList<QPointF> sizeHandles(const RigElement& element, QPointF at) {
@@ -136,9 +121,7 @@ QList<QPointF> sizeHandles(const RigElement& element, QPointF at) {
 RigElement dragged(const RigElement& start, int which, QPointF at, QPointF from, QPointF to) {
   const auto size = sizeOf(start);
   if (!size) return start;
-  const double before = which == 1 ? at.y() - from.y() : from.x() - at.x();
-  const double after = which == 1 ? at.y() - to.y() : to.x() - at.x();
-  const auto factor = static_cast<float>(std::clamp(after / std::max(before, 1.0), 0.02, 50.0));
+  const float factor = handles::sizeFactor(which, at, from, to);
   glm::vec2 next = size->size;
   if (size->isRound || which == 0) next.x *= factor;
   if (size->isRound || which == 1) next.y *= factor;

@@ -15,8 +15,8 @@ void ViewportTool::leave() {}
 void paintTag(QPainter& painter, const QPointF& at, Qt::AlignmentFlag side, const QString& words) {
   const QFontMetrics metrics = painter.fontMetrics();
   const QSizeF size(metrics.horizontalAdvance(words) + 14.0, metrics.height() + 6.0);
-  const double left = side == Qt::AlignLeft ? at.x() - size.width() : at.x();
-  const QRectF box(QPointF(left, at.y() - 0.5 * size.height()), size);
+  const double before = side == Qt::AlignLeft ? 1.0 : side == Qt::AlignHCenter ? 0.5 : 0.0;
+  const QRectF box(QPointF(at.x() - before * size.width(), at.y() - 0.5 * size.height()), size);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(20, 20, 20, 170));
   painter.drawRoundedRect(box, 3.0, 3.0);

@@ -34,7 +34,8 @@ class ViewportTool {
   virtual void paint(QPainter& painter, const Projection& projection) = 0;
 };
 
-/// Words in a dark box over the picture; `side` says where of `at` the box stands (Qt::AlignLeft: to the left of it).
+/// Words in a dark box over the picture; `side` says where of `at` the box stands (Qt::AlignLeft: to the left of it;
+/// AlignHCenter: about it).
 void paintTag(QPainter& painter, const QPointF& at, Qt::AlignmentFlag side, const QString& words);
 
 }  // namespace dermis
