@@ -18,10 +18,10 @@ void ModifiedDot::showState(State state) {
       setToolTip({});
       break;
     case State::Differs:
-      setToolTip(tr("Differs from the default"));
+      setToolTip(tr("Differs from the default; a double-click brings that back"));
       break;
     case State::Changed:
-      setToolTip(tr("Changed since the preset was applied"));
+      setToolTip(tr("Changed since the preset was applied; a double-click brings the default back"));
       break;
     case State::Several:
       setToolTip(tr("The chosen slots have different values"));

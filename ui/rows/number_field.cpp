@@ -99,6 +99,18 @@ QValidator::State NumberField::validate(QString& text, int&) const {
 
 void NumberField::fixup(QString& text) const { text = allDigits(value()); }
 
+bool NumberField::event(QEvent* event) {
+  // Undo takes typed letters back while there are some; what has been committed is the document's to take back.
+  if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return false;
+    }
+  }
+  return QDoubleSpinBox::event(event);
+}
+
 void NumberField::wheelEvent(QWheelEvent* event) {
   if (hasFocus())
     QDoubleSpinBox::wheelEvent(event);
@@ -122,6 +134,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
   const double before = value();
   QDoubleSpinBox::keyPressEvent(event);
   if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) return;
+  lineEdit()->setModified(false);
   selectAll();
   // The number shown while it is typed over is one of several: committing it makes it all of theirs.
   if (m_mixed && value() == before) Q_EMIT edited(before, m_clock.current());
@@ -135,6 +148,7 @@ void NumberField::focusInEvent(QFocusEvent* event) {
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
   QDoubleSpinBox::focusOutEvent(event);
+  lineEdit()->setModified(false);
   fitText();
 }
 

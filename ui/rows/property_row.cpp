@@ -31,6 +31,7 @@ PropertyRow::PropertyRow(const QString& group, const QString& label, const QStri
   grid->setHorizontalSpacing(0);
   grid->setVerticalSpacing(2);
   m_dot = new ModifiedDot(this);
+  m_dot->installEventFilter(this);
   m_label = new QLabel(label, this);
   m_label->setFixedHeight(metrics::kControlHeight);
   m_label->setBuddy(editor);
@@ -111,42 +112,59 @@ void PropertyRow::refreshDot() {
 
 // --- copy and paste ------------------------------------------------------------------------------------------------
 
-ParameterRow PropertyRow::described() const {
-  if (m_parameter != nullptr) return *m_parameter;
+/// A parameter's row with the texts that it only looks at.
+struct PropertyRow::Description {
   ParameterRow row;
-  row.type = static_cast<ParameterType>(m_value->index());
-  return row;
-}
+  std::string id, group, label, unit;
+  std::vector<std::string> words;
+  std::vector<std::string_view> wordViews;
+};
 
-bool PropertyRow::canCopy() const {
-  return m_value && (m_parameter != nullptr || !std::holds_alternative<EnumValue>(*m_value));
+void PropertyRow::describe(Description& d) const {
+  if (m_parameter != nullptr) {
+    d.row = *m_parameter;
+  } else {
+    d.row.type = static_cast<ParameterType>(m_value->index());
+    if (const std::optional<NumberRange> range = m_editor->range()) {
+      d.unit = range->unit.toStdString();
+      d.row.unit = d.unit;
+      d.row.hardMin = static_cast<float>(range->hardMin);
+      d.row.hardMax = static_cast<float>(range->hardMax);
+    }
+    for (const QString& word : m_editor->words()) d.words.push_back(word.toStdString());
+    d.wordViews.assign(d.words.begin(), d.words.end());
+    d.row.words = d.wordViews;
+  }
+  d.id = objectName().toStdString();
+  d.group = m_group.toStdString();
+  d.label = m_name.toStdString();
+  d.row.id = d.id;
+  d.row.group = d.group;
+  d.row.label = d.label;
 }
 
 void PropertyRow::copy() const {
-  if (!canCopy()) return;
-  const std::string id = objectName().toStdString();
-  ParameterRow row = described();
-  row.id = id;
-  QApplication::clipboard()->setText(text(writeValues({{&row, *m_value}})));
+  if (!m_value) return;
+  Description d;
+  describe(d);
+  QApplication::clipboard()->setText(text(writeValues({{&d.row, *m_value}})));
+}
+
+Result<ParameterValue> PropertyRow::clipboardValue() const {
+  Description d;
+  describe(d);
+  const QString clipboard = QApplication::clipboard()->text();
+  std::optional<double> number;
+  if (d.row.type == ParameterType::Float) number = parseNumber(clipboard, text(d.row.unit));
+  const Result<ParameterValue> value = number ? Result<ParameterValue>(ParameterValue(static_cast<float>(*number)))
+                                              : readValueFor(d.row, clipboard.toStdString());
+  if (!value) return value;
+  return clampToHardRange(d.row, *value);
 }
 
 void PropertyRow::paste() {
-  if (!canCopy()) return;
-  const std::string id = objectName().toStdString();
-  const std::string group = m_group.toStdString();
-  const std::string label = m_name.toStdString();
-  ParameterRow row = described();
-  row.id = id;
-  row.group = group;
-  row.label = label;
-  const QString clipboard = QApplication::clipboard()->text();
-  if (row.type == ParameterType::Float)
-    if (const auto number = parseNumber(clipboard, text(row.unit))) {
-      Q_EMIT edited(ParameterValue(static_cast<float>(*number)), newGesture());
-      return;
-    }
-  const Result<ParameterValue> value = readValueFor(row, clipboard.toStdString());
-  if (value)
+  if (!m_value) return;
+  if (const Result<ParameterValue> value = clipboardValue())
     Q_EMIT edited(*value, newGesture());
   else
     Q_EMIT problem(text(value.error().message));
@@ -171,8 +189,8 @@ void PropertyRow::fillMenu(QMenu& menu) {
     add(tr("Back to the preset%1").arg(words(m_preset)), "row.resetToPreset", differsFromPreset(), {},
         &PropertyRow::resetToPreset);
   menu.addSeparator();
-  add(tr("Copy value"), "row.copy", canCopy(), QKeySequence::Copy, &PropertyRow::copy);
-  add(tr("Paste value"), "row.paste", canCopy() && !QApplication::clipboard()->text().isEmpty(), QKeySequence::Paste,
+  add(tr("Copy value"), "row.copy", m_value.has_value(), QKeySequence::Copy, &PropertyRow::copy);
+  add(tr("Paste value"), "row.paste", m_value && !QApplication::clipboard()->text().isEmpty(), QKeySequence::Paste,
       &PropertyRow::paste);
   if (actions().isEmpty()) return;
   menu.addSeparator();
@@ -203,7 +221,7 @@ void PropertyRow::keyPressEvent(QKeyEvent* event) {
 }
 
 bool PropertyRow::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_label && event->type() == QEvent::MouseButtonDblClick) {
+  if ((watched == m_label || watched == m_dot) && event->type() == QEvent::MouseButtonDblClick) {
     reset();
     return true;
   }

@@ -67,8 +67,9 @@ void ValueSlider::moveTo(double number, Qt::KeyboardModifiers keys) {
   const double step = keys.testFlag(Qt::ControlModifier) ? range / 20.0
                       : keys.testFlag(Qt::ShiftModifier) ? m_range.step() / 10.0
                                                          : m_range.step();
-  const double rounded =
-      std::clamp(m_range.softMin + roundTo(number - m_range.softMin, step), m_range.softMin, m_range.softMax);
+  // A number past the soft range comes back step by step, and is not pulled to the end by a step away from it.
+  const double rounded = std::clamp(m_range.softMin + roundTo(number - m_range.softMin, step),
+                                    std::min(m_range.softMin, m_number), std::max(m_range.softMax, m_number));
   if (rounded == m_number) return;
   showNumber(rounded);
   Q_EMIT edited(rounded, m_clock.current());
@@ -81,6 +82,7 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
   }
   setFocus(Qt::MouseFocusReason);
   m_clock.beginDrag();
+  m_press = m_clock.current();
   Q_EMIT dragStarted();
   m_lastX = event->position().x();
   m_fraction = fractionOf(m_number);
@@ -99,6 +101,9 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
   m_fraction += fine * (event->position().x() - m_lastX) / std::max(width() - 2.0 * kMargin, 1.0);
   m_lastX = event->position().x();
   const double inside = std::clamp(m_fraction, 0.0, 1.0);
+  // Past the soft range the handle waits at the end: pulling it further out is no wish to come back.
+  const bool past = m_number > m_range.softMax || m_number < m_range.softMin;
+  if (past && inside == fractionOf(m_number)) return;
   moveTo(m_range.softMin + inside * (m_range.softMax - m_range.softMin), event->modifiers());
 }
 
@@ -107,6 +112,16 @@ void ValueSlider::mouseReleaseEvent(QMouseEvent* event) {
   m_clock.endDrag();
   Q_EMIT dragEnded();
   update();
+}
+
+void ValueSlider::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !m_default) {
+    mousePressEvent(event);
+    return;
+  }
+  showNumber(*m_default);
+  // The first of the two clicks may have moved the handle: they are one gesture. Of several slots others may differ.
+  Q_EMIT edited(*m_default, m_press);
 }
 
 void ValueSlider::wheelEvent(QWheelEvent* event) {

@@ -8,8 +8,8 @@
 
 namespace dermis {
 
-/// Drag moves it, Shift is ten times finer, Ctrl snaps to twentieths, the wheel works only with the focus. The number
-/// may lie past the soft range: the handle then waits at the end.
+/// Drag moves it, a double-click brings the default back, Shift is ten times finer, Ctrl snaps to twentieths, the wheel
+/// works only with the focus. The number may lie past the soft range: the handle then waits at the end.
 class ValueSlider : public QSlider {
   Q_OBJECT
  public:
@@ -36,6 +36,7 @@ class ValueSlider : public QSlider {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
@@ -50,6 +51,7 @@ class ValueSlider : public QSlider {
   std::optional<double> m_default;
   double m_fraction = 0.0;  ///< of the drag in progress, unrounded
   double m_lastX = 0.0;
+  Gesture m_press = 0;  ///< of the drag in progress, or the last one
 };
 
 }  // namespace dermis
