@@ -107,6 +107,27 @@ TEST(Navigation, OrbitStopsShortOfThePoles) {
   EXPECT_NEAR(glm::length(camera.position), 6.0F, 1e-3F);
 }
 
+TEST(Navigation, ZoomNeverReachesTheTargetNorTheEndOfNumbers) {
+  for (const float side : {1.0F, -1.0F})
+    for (const glm::vec3 target : {glm::vec3(0.0F), glm::vec3(0.0F, 1600.0F, 0.0F)}) {
+      Camera camera;
+      camera.position += target;
+      camera.target = target;
+      camera.orthographicHeight = 2.0F;
+      const glm::vec3 direction = glm::normalize(camera.position - camera.target);
+      for (int i = 0; i < 1000; ++i) camera = navigation::zoom(camera, side);
+      const float distance = glm::length(camera.position - camera.target);
+      EXPECT_GT(distance, 0.0F);
+      EXPECT_LE(distance, 1.1e6F);
+      EXPECT_GT(*camera.orthographicHeight, 0.0F);
+      EXPECT_LE(*camera.orthographicHeight, 1.1e6F);
+      EXPECT_GT(glm::dot(glm::normalize(camera.position - camera.target), direction), 0.999F);
+      // And it comes back.
+      const Camera back = navigation::zoom(camera, -side);
+      EXPECT_NE(back.position, camera.position);
+    }
+}
+
 TEST(Navigation, FrameKeepsTheBoundsInView) {
   Bounds bounds;
   bounds.grow({9, 9, 9});

@@ -9,6 +9,11 @@ namespace {
 
 constexpr float kPole = 0.02F;  // radians kept from straight up and down, where a turn about +Y has no direction
 
+constexpr float kFarthest = 1e6F;  // scene units; beyond it a picture is empty and numbers end
+
+/// As near as a camera comes to a target: nearer, the digits of both no longer say in which direction it looks.
+float nearest(const glm::vec3& target) { return std::max(1e-5F, 1e-4F * glm::length(target)); }
+
 /// A direction as azimuth about +Y and elevation.
 struct Angles {
   float azimuth, elevation;
@@ -63,10 +68,17 @@ Camera pan(const Camera& camera, float rightPixels, float upPixels, float height
 }
 
 Camera zoom(const Camera& camera, float steps) {
-  const float factor = std::pow(0.88F, steps);
+  const glm::vec3 offset = camera.position - camera.target;
+  const float distance = glm::length(offset);
+  const float closest = std::min(nearest(camera.target), distance);
+  const float limit = std::max(kFarthest, distance);
+  // Where a camera came from, it may stay: a step never moves it the other way.
+  const float factor = std::clamp(std::pow(0.88F, steps), closest / distance, limit / distance);
   Camera next = camera;
-  next.position = camera.target + factor * (camera.position - camera.target);
-  if (next.orthographicHeight) *next.orthographicHeight *= factor;
+  next.position = camera.target + factor * offset;
+  if (next.orthographicHeight)
+    next.orthographicHeight = std::clamp(factor * *next.orthographicHeight, std::min(closest, *next.orthographicHeight),
+                                         std::max(kFarthest, *next.orthographicHeight));
   return next;
 }
 
