@@ -4,10 +4,15 @@
 #include <QMainWindow>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
+#include <utility>
 
 namespace dermis {
 namespace {
 constexpr int kStateVersion = 2;
+const QString kGeometryKey = QStringLiteral("window/geometry");
+const QString kStateKey = QStringLiteral("window/state");
+const QString kShownKey = QStringLiteral("window/shownState");
 constexpr int kLeftWidth = 344;
 constexpr int kRightWidth = 392;
 }  // namespace
@@ -83,19 +88,21 @@ void DockLayout::arrange() {
 void DockLayout::restore() {
   arrange();
   const QSettings settings;
-  m_window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  m_window.restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kStateVersion);
+  m_window.restoreGeometry(settings.value(kGeometryKey).toByteArray());
+  m_window.restoreState(settings.value(kStateKey).toByteArray(), kStateVersion);
+  m_shown = settings.value(kShownKey).toByteArray();
   refreshTitleBars();
 }
 
 void DockLayout::save() const {
   QSettings settings;
-  settings.setValue(QStringLiteral("window/geometry"), m_window.saveGeometry());
-  settings.setValue(QStringLiteral("window/state"), m_window.saveState(kStateVersion));
+  settings.setValue(kGeometryKey, m_window.saveGeometry());
+  settings.setValue(kStateKey, state());
+  settings.setValue(kShownKey, m_shown);
 }
 
 void DockLayout::reset() {
-  m_hidden.clear();
+  m_shown.clear();
   arrange();
 }
 
@@ -107,15 +114,14 @@ void DockLayout::setState(const QByteArray& state) {
 }
 
 void DockLayout::toggleAll() {
-  QList<QDockWidget*> shown;
-  for (QDockWidget* dock : m_docks)
-    if (!dock->isHidden()) shown << dock;
-  if (!shown.isEmpty()) {
-    m_hidden = shown;
-    for (QDockWidget* dock : shown) dock->hide();
+  const bool any = std::ranges::any_of(m_docks, [](const QDockWidget* dock) { return !dock->isHidden(); });
+  if (any) {
+    m_shown = state();
+    for (QDockWidget* dock : m_docks) dock->hide();
+  } else if (m_shown.isEmpty()) {
+    arrange();  // each was closed by hand
   } else {
-    for (QDockWidget* dock : m_hidden) dock->show();
-    m_hidden.clear();
+    setState(std::exchange(m_shown, {}));
   }
 }
 

@@ -33,7 +33,7 @@ class DockLayout : public QObject {
 
   QMainWindow& m_window;
   QList<QDockWidget*> m_docks;
-  QList<QDockWidget*> m_hidden;
+  QByteArray m_shown;  ///< where they stood when all were hidden together
 };
 
 }  // namespace dermis
