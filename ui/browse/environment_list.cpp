@@ -115,7 +115,7 @@ void EnvironmentList::buildList() {
   connect(m_list, &QListWidget::itemActivated, this, choose);
 }
 
-QStringList EnvironmentList::files() const {
+QStringList EnvironmentList::readFiles() const {
   QStringList files = QSettings().value(kRecentKey).toStringList();
   const QStringList patterns = namePatterns(FileKind::Environment).split(QLatin1Char(' '));
   for (const QString& folder : m_preferences.values().environmentFolders)
@@ -139,7 +139,8 @@ void EnvironmentList::fill() {
   QStringList watched;
   for (const QString& folder : m_preferences.values().environmentFolders)
     if (QDir(folder).exists()) watched << folder;
-  for (const QString& file : files()) {
+  m_files = readFiles();
+  for (const QString& file : m_files) {
     watched << file;
     addFile(file);
   }
@@ -192,7 +193,7 @@ void EnvironmentList::showUsed(const EnvironmentSource& source) {
   m_used = source;
   const QString path = text(source.path);
   // A file that is in the list already stays where it is: nothing jumps under a hand that clicks through them.
-  if (!path.isEmpty() && !files().contains(path) && QFileInfo::exists(path)) {
+  if (!path.isEmpty() && !m_files.contains(path) && QFileInfo::exists(path)) {
     QSettings settings;
     QStringList recent = settings.value(kRecentKey).toStringList();
     recent.prepend(path);

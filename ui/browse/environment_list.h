@@ -36,11 +36,12 @@ class EnvironmentList : public QWidget {
   void addFile(const QString& path);
   void showPanorama(const QString& path);
   void showProgress(int waiting);
-  [[nodiscard]] QStringList files() const;
+  [[nodiscard]] QStringList readFiles() const;
 
   Preferences& m_preferences;
   PanoramaMaker m_panoramas;
   EnvironmentSource m_used;
+  QStringList m_files;  ///< those of the list
   QFileSystemWatcher m_watcher;
   QTimer m_soon;
   QLineEdit* m_search = nullptr;
