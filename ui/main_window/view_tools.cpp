@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QSettings>
+#include <algorithm>
 
 #include "core/io/asset_loader.h"
 #include "core/material/builtin_presets.h"
@@ -51,6 +52,7 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
   m_readout = new PickReadout(document, viewport);
   m_history = new CameraHistory(document, viewport);
   m_snapshots = new Snapshots(document, this);
+  connect(m_snapshots, &Snapshots::changed, this, &ViewTools::followSnapshots);
   m_keyLight = new HoldKey(Qt::Key_L, window);
   connect(m_keyLight, &HoldKey::held, m_gizmos, &LightGizmos::holdKeyLight);
   connect(m_gizmos, &LightGizmos::message, this,
@@ -219,6 +221,13 @@ void ViewTools::compareWithSnapshot(int index) {
   const Snapshot& snapshot = all[static_cast<std::size_t>(index)];
   compare(snapshot.scene, snapshot.name);
   m_strip->showCompared(index);
+}
+
+void ViewTools::followSnapshots() {
+  if (m_strip == nullptr || m_strip->compared() < 0) return;
+  const auto& all = m_snapshots->all();
+  const auto found = std::ranges::find(all, m_viewport.compared(), [](const Snapshot& s) { return s.scene.get(); });
+  compareWithSnapshot(found == all.end() ? -1 : static_cast<int>(found - all.begin()));
 }
 
 void ViewTools::compareWithPreset(const std::string& preset) {

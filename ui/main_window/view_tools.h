@@ -69,6 +69,8 @@ class ViewTools : public QObject {
                      const std::function<void(bool)>& does);
   void fillCompareMenu(QMenu* menu);
   void fillBookmarksMenu(QMenu* menu);
+  /// The snapshot that is compared with has another place in the strip now, or is gone.
+  void followSnapshots();
   void compare(const std::shared_ptr<const ResolvedScene>& scene, const QString& name);
 
   Document& m_document;

@@ -17,6 +17,7 @@ class SnapshotsPanel : public QWidget {
   [[nodiscard]] int selected() const;
   /// The one that is being compared with; -1: none.
   void showCompared(int index);
+  [[nodiscard]] int compared() const { return m_compared; }
 
  Q_SIGNALS:
   void takeRequested();
