@@ -31,7 +31,10 @@ void ReferencePhoto::set(const Settings& given) {
   next.opacity = std::clamp(next.opacity, 0.0, 1.0);
   next.wipe = std::clamp(next.wipe, 0.0, 1.0);
   next.scale = std::clamp(next.scale, 0.01, 100.0);
-  if (next == m_settings && (next.path == m_loaded || next.place == Place::Off)) return;
+  // Chosen anew, even the same file: one that could not be read may have been mended.
+  const bool asked = next == m_settings || next.path != m_settings.path || m_settings.place == Place::Off;
+  const bool loads = asked && next.place != Place::Off && next.path != m_loaded;
+  if (next == m_settings && !loads) return;
   m_settings = next;
   QSettings settings;
   settings.setValue(QStringLiteral("reference/path"), next.path);
@@ -39,32 +42,32 @@ void ReferencePhoto::set(const Settings& given) {
   settings.setValue(QStringLiteral("reference/wipe"), next.wipe);
   settings.setValue(QStringLiteral("reference/scale"), next.scale);
   settings.setValue(QStringLiteral("reference/offset"), next.offset);
-  if (next.place != Place::Off && next.path != m_loaded) load();
+  if (loads) load();
   m_viewport.updateOverlay();
   Q_EMIT changed();
 }
 
 void ReferencePhoto::load() {
-  m_loaded = m_settings.path;
-  if (m_loaded.isEmpty()) {
-    m_image = {};
-    return;
-  }
+  m_loaded.clear();
+  m_image = {};
+  if (m_settings.path.isEmpty()) return;
   struct Loaded {
     QImage image;
     QString error;
   };
   m_tasks.run(
       QStringLiteral("reference"), tr("Loading the reference photograph"),
-      [path = m_loaded](std::stop_token) {
+      [path = m_settings.path](std::stop_token) {
         QImageReader reader(path);
         reader.setAutoTransform(true);
         const QImage image = reader.read();
         return Loaded{image, image.isNull() ? reader.errorString() : QString()};
       },
-      [this, path = m_loaded](const Loaded& loaded) {
+      [this, path = m_settings.path](const Loaded& loaded) {
         m_image = loaded.image;
-        if (m_image.isNull())
+        if (!m_image.isNull())
+          m_loaded = path;
+        else
           Q_EMIT problem(
               tr("%1 can't be shown as a reference: %2. Choose a PNG, JPEG or WebP picture.").arg(path, loaded.error));
         m_viewport.updateOverlay();
