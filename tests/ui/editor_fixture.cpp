@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "ui/docks/presets_panel.h"
+#include "ui/viewport/model_picker.h"
 
 namespace dermis {
 
@@ -25,6 +26,7 @@ void Editor::SetUp() {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !opened.isEmpty(); }, kPatienceMs));
   ASSERT_TRUE(document().isReady());
   ASSERT_EQ(undo().count(), 0);
+  ASSERT_TRUE(QTest::qWaitFor([] { return window->viewport()->picker().isReady(); }, kPatienceMs));
 }
 
 void closeEditor() { Editor::window.reset(); }

@@ -3,7 +3,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "core/scene/pick.h"
 #include "ui/document/document.h"
 #include "ui/viewport/projection.h"
 #include "ui/viewport/viewport.h"
@@ -21,9 +20,7 @@ void MeasureTool::setUnit(LengthUnit unit) {
 }
 
 std::optional<glm::vec3> MeasureTool::surfaceAt(QPointF at) const {
-  if (!m_document.isReady()) return std::nullopt;
-  const Ray ray = m_viewport.projection().ray(at);
-  const auto hit = hitModel(*m_document.model(), ray.origin, ray.direction);
+  const auto hit = m_viewport.surfaceAt(at);
   return hit ? std::optional(hit->position) : std::nullopt;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/pick.h"
 #include "ui/document/document.h"
 #include "ui/text.h"
 #include "ui/viewport/overlay.h"
@@ -65,8 +64,7 @@ QString PickReadout::textAt(const QPointF& at) {
   lines << tr("Display %1 (%2)")
                .arg(triple(pixel->display, 3),
                     QColor(static_cast<int>(codes.r), static_cast<int>(codes.g), static_cast<int>(codes.b)).name());
-  const Ray ray = m_viewport.projection().ray(at);
-  const auto hit = hitModel(*m_document.model(), ray.origin, ray.direction);
+  const auto hit = m_viewport.surfaceAt(at);
   if (!hit) return lines.join(QLatin1Char('\n'));
   const double millimetres = static_cast<double>(m_document.millimetresPerUnit());
   const Camera& camera = m_document.camera();
@@ -94,8 +92,7 @@ void PickReadout::pin(const QPointF& at) {
   const QString words = textAt(at);
   if (words.isEmpty()) return;
   QGuiApplication::clipboard()->setText(words);
-  const Ray ray = m_viewport.projection().ray(at);
-  const auto hit = hitModel(*m_document.model(), ray.origin, ray.direction);
+  const auto hit = m_viewport.surfaceAt(at);
   if (!hit) return;
   m_pins << Pin{hit->position, words.section(QLatin1Char('\n'), 0, 0)};
   m_viewport.updateOverlay();
@@ -111,9 +108,7 @@ void PickReadout::clearPins() {
 }
 
 bool PickReadout::selectSlot(const QPointF& at) {
-  if (!m_document.isReady()) return false;
-  const Ray ray = m_viewport.projection().ray(at);
-  const auto hit = hitModel(*m_document.model(), ray.origin, ray.direction);
+  const auto hit = m_viewport.surfaceAt(at);
   if (!hit) return false;
   m_document.setCurrentSlot(QString::fromStdString(m_document.model()->slots[hit->slot].name));
   return true;

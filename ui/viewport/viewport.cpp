@@ -11,6 +11,7 @@
 #include "ui/text.h"
 #include "ui/viewport/compared_picture.h"
 #include "ui/viewport/legend.h"
+#include "ui/viewport/model_picker.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/overlay_canvas.h"
@@ -33,6 +34,9 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   setMinimumSize(240, 180);
   setMouseTracking(true);
   m_canvas = new OverlayCanvas([this] { return projection(); }, this);
+  m_picker = new ModelPicker(m_document, this);
+  connect(m_picker, &ModelPicker::problem, this,
+          [this](const QString& sentence) { Q_EMIT message(MessageKind::Warning, sentence); });
   qApp->installEventFilter(this);
   m_statistics = new OverlayLabel(this);
   m_statistics->setObjectName(QStringLiteral("viewport.statistics"));

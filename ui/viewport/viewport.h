@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/bake/surface_picker.h"
 #include "renderer.h"
 #include "ui/document/loading.h"
 #include "ui/rows/gesture.h"
@@ -23,6 +24,7 @@ namespace dermis {
 class ComparedPicture;
 class Document;
 class Legend;
+class ModelPicker;
 class OverlayCanvas;
 class OverlayLabel;
 class ScaleBar;
@@ -58,6 +60,9 @@ class Viewport : public QOpenGLWidget {
   [[nodiscard]] std::optional<PixelReadout> readPixel(const QPointF& at);
   /// The point of the model under a point of the widget.
   [[nodiscard]] std::optional<glm::vec3> pickPosition(const QPointF& at);
+  /// What lies there, in numbers that don't wait for a picture; nothing while a new model is made ready for it.
+  [[nodiscard]] std::optional<SurfaceHit> surfaceAt(const QPointF& at) const;
+  [[nodiscard]] const ModelPicker& picker() const { return *m_picker; }
   /// The picture alone, whole and without what lies over it; null while there is none.
   [[nodiscard]] QImage picture();
   void setReferences(const ReferenceObjects& references);
@@ -166,6 +171,7 @@ class Viewport : public QOpenGLWidget {
   QList<ViewportTool*> m_tools;
   ViewportTool* m_activeTool = nullptr;
   OverlayCanvas* m_canvas = nullptr;
+  ModelPicker* m_picker = nullptr;
   QSet<int> m_flyKeys;
   OverlayLabel* m_statistics = nullptr;
   OverlayLabel* m_viewName = nullptr;

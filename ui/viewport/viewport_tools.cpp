@@ -5,6 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/text.h"
 #include "ui/viewport/compared_picture.h"
+#include "ui/viewport/model_picker.h"
 #include "ui/viewport/overlay_canvas.h"
 #include "ui/viewport/viewport.h"
 
@@ -42,6 +43,8 @@ std::optional<glm::vec3> Viewport::pickPosition(const QPointF& at) {
   doneCurrent();
   return point;
 }
+
+std::optional<SurfaceHit> Viewport::surfaceAt(const QPointF& at) const { return m_picker->hit(projection().ray(at)); }
 
 QImage Viewport::picture() {
   if (!m_renderer || m_firstFrame) return {};

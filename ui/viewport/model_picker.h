@@ -1,0 +1,36 @@
+// What a ray meets of the model that is open: its rays are made ready beside the event loop whenever the model changes.
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "core/bake/surface_picker.h"
+#include "ui/jobs/task_runner.h"
+#include "ui/viewport/projection.h"
+
+namespace dermis {
+
+class Document;
+
+class ModelPicker : public QObject {
+  Q_OBJECT
+ public:
+  explicit ModelPicker(Document& document, QObject* parent = nullptr);
+  [[nodiscard]] bool isReady() const { return m_picker != nullptr; }
+  /// Nothing beside the model, and for the moment until a new one is ready.
+  [[nodiscard]] std::optional<SurfaceHit> hit(const Ray& ray) const;
+
+ Q_SIGNALS:
+  void problem(const QString& sentence);
+
+ private:
+  void follow();
+
+  Document& m_document;
+  std::shared_ptr<const Model> m_model;
+  std::shared_ptr<const SurfacePicker> m_picker;
+  TaskRunner m_work;  ///< of its own: who cancels the loading of a file still wants to point at what is open
+};
+
+}  // namespace dermis
