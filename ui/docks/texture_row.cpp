@@ -106,11 +106,7 @@ void TextureRow::buildHead() {
 
 void TextureRow::buildDetails() {
   const QString label = text(m_slot.label);
-  const auto changed = [this](auto change) {
-    TextureBinding next = m_binding;
-    change(next);
-    Q_EMIT bindingEdited(next, newGesture());
-  };
+  const auto changed = [this](const BindingChange& change) { Q_EMIT bindingEdited(change, newGesture()); };
   m_details = new QWidget(this);
   auto* grid = new QGridLayout(m_details);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -118,47 +114,59 @@ void TextureRow::buildDetails() {
   grid->setVerticalSpacing(metrics::kRowSpacing);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
-  const auto put = [&](int row, int column, const QString& words, QWidget* control, const char* id) {
+  const auto put = [&](int row, int column, const QString& words, QWidget* control, const char* id,
+                       const QString& meaning) {
     auto* name = new QLabel(words, m_details);
     name->setProperty("quiet", true);
     grid->addWidget(name, row, column);
     grid->addWidget(control, row, column + 1);
     control->setAccessibleName(tr("%1 map › %2").arg(label, words));
     control->setObjectName(objectName() + QLatin1Char('.') + QLatin1String(id));
+    name->setToolTip(meaning);
+    for (QWidget* each : {static_cast<QWidget*>(name), control}) each->setWhatsThis(meaning);
   };
   m_space = new QuietComboBox(m_details);
   m_space->addItems({tr("Automatic"), QStringLiteral("sRGB"), tr("Linear"), tr("Raw")});
-  put(0, 0, tr("Space"), m_space, "color_space");
+  put(0, 0, tr("Space"), m_space, "color_space",
+      tr("How the file's numbers are read: automatic goes by the map and the kind of file, linear is Rec.709, raw "
+         "changes "
+         "nothing"));
+  m_space->setToolTip(m_space->whatsThis());
   connect(m_space, &QComboBox::activated, this, [changed](int index) {
     static constexpr const char* kSpaces[] = {"", "srgb", "linear", "raw"};
-    changed([&](TextureBinding& b) {
+    changed([index](TextureBinding& b) {
       b.colorSpace = index == 0 ? std::nullopt : std::optional<std::string>(kSpaces[index]);
     });
   });
   m_channel = new QuietComboBox(m_details);
   m_channel->addItems(
       {QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B"), QStringLiteral("A"), tr("Luminance")});
-  put(0, 2, tr("Channel"), m_channel, "channel");
+  put(0, 2, tr("Channel"), m_channel, "channel",
+      tr("Which channel of the file holds the value, as in packed maps; luminance weighs red, green and blue"));
+  m_channel->setToolTip(m_channel->whatsThis());
   m_channel->setVisible(m_slot.isScalar);
   grid->itemAtPosition(0, 2)->widget()->setVisible(m_slot.isScalar);
   connect(m_channel, &QComboBox::activated, this, [changed](int index) {
-    changed([&](TextureBinding& b) { b.channel = static_cast<TextureChannel>(index); });
+    changed([index](TextureBinding& b) { b.channel = static_cast<TextureChannel>(index); });
   });
 
   const auto number = [&](NumberField*& field, const NumberRange& range, int column, const QString& words,
-                          const char* id, auto change) {
+                          const char* id, const QString& meaning, auto change) {
     field = new NumberField(range, m_details);
-    put(1, column, words, field, id);
+    put(1, column, words, field, id, meaning);
     connect(field, &NumberField::edited, this, [this, change](double value, Gesture gesture) {
-      TextureBinding next = m_binding;
-      change(next, static_cast<float>(value));
-      Q_EMIT bindingEdited(next, gesture);
+      Q_EMIT bindingEdited([change, value](TextureBinding& b) { change(b, static_cast<float>(value)); }, gesture);
     });
   };
-  number(m_tiling, NumberRange{0.001, 1000, 0, 10, {}}, 0, tr("Tiling"), "uv_scale", [](TextureBinding& b, float v) {
-    b.uvScale = {v, v};
-  });
+  number(m_tiling, NumberRange{0.001, 1000, 0, 10, {}}, 0, tr("Tiling"), "uv_scale",
+         tr("How often the map repeats across; a map that repeats otherwise upwards keeps its shape. 0.001 to 1000"),
+         [](TextureBinding& b, float v) {
+           // One that differs across and along keeps its shape.
+           const float shape = b.uvScale[0] != 0.0F ? b.uvScale[1] / b.uvScale[0] : 1.0F;
+           b.uvScale = {v, v * shape};
+         });
   number(m_scale, NumberRange{-1000, 1000, 0, 2, {}}, 2, tr("Scale"), "scale",
+         tr("What the map's value is multiplied with; of a normal map, how steep it is. −1000 to 1000"),
          [](TextureBinding& b, float v) { b.scale = v; });
 
   const bool isNormal = m_slot.slot == TextureSlot::Normal || m_slot.slot == TextureSlot::DetailNormal;
@@ -168,6 +176,7 @@ void TextureRow::buildDetails() {
   m_flip->setObjectName(objectName() + QStringLiteral(".flip_green"));
   m_invert->setToolTip(tr("Read 1 − value: for gloss maps as roughness, and inverted masks"));
   m_flip->setToolTip(tr("For normal maps with −Y, as DirectX tools write them"));
+  for (QCheckBox* box : {m_invert, m_flip}) box->setWhatsThis(box->toolTip());
   m_invert->setAccessibleName(tr("%1 map › Invert").arg(label));
   m_flip->setAccessibleName(tr("%1 map › Flip green").arg(label));
   m_invert->setVisible(m_slot.isScalar);
@@ -175,9 +184,9 @@ void TextureRow::buildDetails() {
   grid->addWidget(m_invert, 2, 0, 1, 4);
   grid->addWidget(m_flip, 3, 0, 1, 4);
   connect(m_invert, &QCheckBox::toggled, this,
-          [changed](bool on) { changed([&](TextureBinding& b) { b.invert = on; }); });
+          [changed](bool on) { changed([on](TextureBinding& b) { b.invert = on; }); });
   connect(m_flip, &QCheckBox::toggled, this,
-          [changed](bool on) { changed([&](TextureBinding& b) { b.flipGreen = on; }); });
+          [changed](bool on) { changed([on](TextureBinding& b) { b.flipGreen = on; }); });
   static_cast<QVBoxLayout*>(layout())->addWidget(m_details);
 }
 

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <QFrame>
+#include <functional>
 #include <memory>
 
 #include "core/image/image.h"
 #include "core/material/texture_slot.h"
 #include "ui/document/map_watcher.h"
+#include "ui/rows/gesture.h"
 
 class QCheckBox;
 class QComboBox;
@@ -18,6 +20,9 @@ namespace dermis {
 
 class ElidedLabel;
 class NumberField;
+
+/// One field of a binding gets another value; the others stay as they are, on each slot that is edited.
+using BindingChange = std::function<void(TextureBinding&)>;
 
 class TextureRow : public QFrame {
   Q_OBJECT
@@ -32,7 +37,7 @@ class TextureRow : public QFrame {
   void chooseRequested();
   void clearRequested();
   void reloadRequested();
-  void bindingEdited(const dermis::TextureBinding& binding, quint64 gesture);
+  void bindingEdited(const dermis::BindingChange& change, dermis::Gesture gesture);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;

@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 
 #include "ui/docks/dropped_paths.h"
-#include "ui/docks/texture_row.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/document/map_watcher.h"
@@ -84,16 +83,16 @@ void TexturesPanel::connectRow(TextureRow* row, TextureSlot slot) {
       m_loading.rereadMap(look->worn.material.texture(slot).path, true);
   });
   connect(row, &TextureRow::bindingEdited, this,
-          [this, slot](const TextureBinding& binding, Gesture gesture) { setBinding(slot, binding, gesture); });
+          [this, slot](const BindingChange& change, Gesture gesture) { changeBinding(slot, change, gesture); });
 }
 
-void TexturesPanel::setBinding(TextureSlot slot, const TextureBinding& binding, Gesture gesture) {
+void TexturesPanel::changeBinding(TextureSlot slot, const BindingChange& change, Gesture gesture) {
   std::vector<TextureEdit> edits;
   for (const QString& name : m_document.editedSlots()) {
     const ResolvedMaterial& worn = m_document.slotLook(name)->worn;
     if (!worn.material.texture(slot).present()) continue;
-    TextureBinding next = binding;
-    next.path = worn.material.texture(slot).path;
+    TextureBinding next = worn.material.texture(slot);
+    change(next);
     edits.push_back({name, slot, next, worn.images.at(static_cast<std::size_t>(slot))});
   }
   m_document.setTextures(

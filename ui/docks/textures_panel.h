@@ -6,7 +6,7 @@
 
 #include "core/material/texture_slot.h"
 #include "ui/docks/panel.h"
-#include "ui/rows/gesture.h"
+#include "ui/docks/texture_row.h"
 
 class QLabel;
 
@@ -15,7 +15,6 @@ namespace dermis {
 class Document;
 class Loading;
 class MapWatcher;
-class TextureRow;
 
 class TexturesPanel : public Panel {
   Q_OBJECT
@@ -35,8 +34,8 @@ class TexturesPanel : public Panel {
   void assign(TextureSlot slot, const QString& path);
   void choose(TextureSlot slot);
   void askWhere(TextureSlot slot);
-  /// One change of the binding on every edited slot that wears the map; each keeps its own file.
-  void setBinding(TextureSlot slot, const TextureBinding& binding, Gesture gesture);
+  /// One change of the binding on every edited slot that wears the map; each keeps the rest of its own.
+  void changeBinding(TextureSlot slot, const BindingChange& change, Gesture gesture);
   void showReport(const QString& report);
   void refresh();
 
