@@ -52,7 +52,7 @@ Hair lyingHair(const Sculpt& sculpt, const glm::vec3& root, glm::vec2 direction,
 
 /// Hairs of one brow. They rise at the nose, lean outwards along the brow, and from above and below meet on its ridge.
 void growBrow(const Sculpt& sculpt, Random& random, int pieces, std::vector<Hair>& hairs) {
-  constexpr int kCount = 330;
+  constexpr int kCount = 430;
   const Brow brow;
   for (int i = 0; i < kCount; ++i) {
     // More at the inner half, and more in the middle than at the edges.

@@ -50,7 +50,7 @@ float Lips::raise(const glm::vec3& p) const {
   float height = isUpper * m_upperAmount(x) * m_upperSection(std::max(over / upper, 0.0F)) +
                  (1.0F - isUpper) * m_lowerAmount(x) * m_lowerSection(std::max(-over / lower, 0.0F));
   height += 0.35F * bell(p.y - (m_upper(x) + 0.5F), 1.3F) * fade(14.0F, 23.0F, x);  // the white roll
-  height -= 2.3F * bell(over, 0.9F) * fade(17.0F, 27.5F, x);                        // the slit
+  height -= 2.3F * bell(over, 0.9F) * fade(16.0F, 26.5F, x);                        // the slit
   return height * ramp(60.0F, 80.0F, p.z);
 }
 

@@ -38,7 +38,7 @@ float Nose::lobule(const glm::vec3& p) const {
 
 float Nose::join(float face, const glm::vec3& p) const {
   if (far(p)) return face;
-  const float d = smoothMin(face, bridge(p), glm::mix(7.0F, 11.0F, fade(-20.0F, 4.0F, p.y)));
+  const float d = smoothMin(face, bridge(p), glm::mix(10.0F, 14.0F, fade(-20.0F, 4.0F, p.y)));
   return smoothMin(d, lobule(p), 6.5F);
 }
 

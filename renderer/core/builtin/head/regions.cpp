@@ -41,7 +41,8 @@ float HeadRegions::lips(const glm::vec3& q) const {
   constexpr float kHalfWidth = 27.5F;
   if (q.z < 75.0F || q.x > kHalfWidth) return 0.0F;
   const float inside = std::min(m_lips.upperBorder(q.x) + 0.3F - q.y, q.y - m_lips.lowerBorder(q.x) + 0.2F);
-  return ramp(-0.5F, 0.5F, inside);
+  // The red runs out before the corner does.
+  return ramp(-0.5F, 0.5F, inside) * fade(23.5F, kHalfWidth, q.x);
 }
 
 float HeadRegions::ear(const glm::vec3& q) const {
