@@ -207,6 +207,22 @@ TEST(SceneIo, APresetThatIsMissingOrWrongIsNamed) {
   EXPECT_THAT(message("bad.json"), HasSubstr("bad.json: /name must be a string"));
 }
 
+TEST(SceneIo, APresetThatIsMissingCanBeKeptByItsPath) {
+  const TemporaryFolder folder;
+  folder.write("look.dermis", sceneText(R"("materials": {"face": "none.json", "eye": "builtin:thesis_eye"})"));
+  Warnings warnings;
+  const auto scene = loadScene(folder / "look.dermis", warnings, MissingPresets::Keep);
+  ASSERT_TRUE(scene.has_value()) << scene.error().message;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(isOneSentence(warnings[0]));
+  EXPECT_THAT(warnings[0], HasSubstr("/materials/face wears the default material"));
+  EXPECT_TRUE(scene->materials.at("face").missing);
+  EXPECT_FALSE(scene->materials.at("eye").missing);
+  // What is written names the file again: it may come back.
+  const std::string text = writeScene(*scene, folder.path());
+  EXPECT_EQ(parseJson(text, "a").value().at("materials").at("face"), "none.json");
+}
+
 TEST(SceneIo, BackgroundsAsText) {
   for (const char* text : {"environment", "irradiance", "prefiltered:0.4", "color:0.2,0.3,0.1", "none"})
     EXPECT_EQ(toString(backgroundFromText(text).value()), text);

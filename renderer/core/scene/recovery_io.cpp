@@ -14,7 +14,7 @@ constexpr const char* kKey = "recovery";
 Result<void> saveRecovery(const std::filesystem::path& path, const Recovery& recovery) {
   Scene scene = recovery.scene;
   for (auto& [slot, binding] : scene.materials)
-    if (!binding.presetPath.empty() && !namesNoFile(binding.presetPath)) binding.edited = true;
+    if (!binding.presetPath.empty() && !namesNoFile(binding.presetPath) && !binding.missing) binding.edited = true;
   Json about = Json::object();
   about["scene_path"] = recovery.scenePath.string();
   about["saved_at_ms"] = recovery.savedAtMilliseconds;
@@ -24,7 +24,7 @@ Result<void> saveRecovery(const std::filesystem::path& path, const Recovery& rec
 
 Result<Recovery> loadRecovery(const std::filesystem::path& path, Warnings& warnings) {
   Warnings found;
-  Result<Scene> scene = loadScene(path, found);
+  Result<Scene> scene = loadScene(path, found, MissingPresets::Keep);
   if (!scene) return tl::unexpected(scene.error());
   const auto about = scene->unknown.find(kKey);
   if (about == scene->unknown.end() || !about->is_object() || !about->value("scene_path", Json()).is_string() ||

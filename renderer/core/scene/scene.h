@@ -41,6 +41,7 @@ struct MaterialBinding {
   Material material;
   std::string presetPath;  ///< absolute, or "builtin:NAME"; empty for an inline preset
   bool edited = false;     ///< differs from the preset at presetPath: saved inline with "based_on"
+  bool missing = false;    ///< there was no such preset to read: `material` is the default, and the path is kept
   bool operator==(const MaterialBinding&) const = default;
 };
 

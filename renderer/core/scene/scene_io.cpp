@@ -28,6 +28,7 @@ constexpr std::size_t kMaxParts = 1024;
 struct SceneReader {
   fs::path folder;
   JsonReport& report;
+  MissingPresets missing;
   std::map<std::string, Material> presets;
 
   void read(JsonFields& root, Scene& scene);
@@ -151,12 +152,17 @@ MaterialBinding SceneReader::readBinding(const Json& json, const std::string& po
   auto known = presets.find(binding.presetPath);
   if (known == presets.end() && !report.error) {
     auto loaded = loadPreset(binding.presetPath, report.warnings);
-    if (!loaded)
+    if (loaded)
+      known = presets.emplace(binding.presetPath, std::move(*loaded)).first;
+    else if (missing == MissingPresets::Refuse)
       report.refuse(pointer, "names a preset that cannot be used: " + loaded.error().message);
     else
-      known = presets.emplace(binding.presetPath, std::move(*loaded)).first;
+      report.warn(pointer, "wears the default material, because its preset cannot be used: " + loaded.error().message);
   }
-  if (known != presets.end()) binding.material = known->second;
+  if (known != presets.end())
+    binding.material = known->second;
+  else
+    binding.missing = true;
   return binding;
 }
 
@@ -300,24 +306,24 @@ void SceneReader::read(JsonFields& root, Scene& scene) {
 
 }  // namespace
 
-Result<Scene> readScene(std::string_view text, const std::string& name, const fs::path& baseFolder,
-                        Warnings& warnings) {
+Result<Scene> readScene(std::string_view text, const std::string& name, const fs::path& baseFolder, Warnings& warnings,
+                        MissingPresets missing) {
   const auto json = parseJson(text, name);
   if (!json) return tl::unexpected(json.error());
   Warnings found;
   JsonReport report{name, found};
   Scene scene;
   JsonFields root(*json, "", report);
-  SceneReader{baseFolder, report, {}}.read(root, scene);
+  SceneReader{baseFolder, report, missing, {}}.read(root, scene);
   if (report.error) return tl::unexpected(std::move(*report.error));
   warnings.insert(warnings.end(), found.begin(), found.end());
   return scene;
 }
 
-Result<Scene> loadScene(const fs::path& path, Warnings& warnings) {
+Result<Scene> loadScene(const fs::path& path, Warnings& warnings, MissingPresets missing) {
   const auto text = readFile(path, kMaxJsonBytes);
   if (!text) return tl::unexpected(text.error());
-  return readScene(*text, path.string(), fs::absolute(path).parent_path(), warnings);
+  return readScene(*text, path.string(), fs::absolute(path).parent_path(), warnings, missing);
 }
 
 }  // namespace dermis

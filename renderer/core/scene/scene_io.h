@@ -17,12 +17,20 @@ namespace dermis {
 inline constexpr std::string_view kSceneFormat = "dermis.scene";
 inline constexpr int kSceneVersion = 1;
 
+/// What becomes of a scene whose presets cannot be read. An editor keeps their paths, with a warning each, and shows
+/// the default material: the rest of the work is worth opening. A picture that is drawn unseen must not show another
+/// look.
+enum class MissingPresets { Refuse, Keep };
+
 /// Reads a scene. `name` is the file's name for messages; paths are relative to `baseFolder`. Unknown keys are kept and
 /// reported. Errors: Input with the JSON pointer of the place: not JSON, wrong types, versions from the future, more
-/// than kMaxLights lights, directions and cameras without a direction, presets that are missing or unusable.
+/// than kMaxLights lights, directions and cameras without a direction, presets that are missing or unusable; but see
+/// MissingPresets.
 [[nodiscard]] Result<Scene> readScene(std::string_view text, const std::string& name,
-                                      const std::filesystem::path& baseFolder, Warnings& warnings);
-[[nodiscard]] Result<Scene> loadScene(const std::filesystem::path& path, Warnings& warnings);
+                                      const std::filesystem::path& baseFolder, Warnings& warnings,
+                                      MissingPresets missing = MissingPresets::Refuse);
+[[nodiscard]] Result<Scene> loadScene(const std::filesystem::path& path, Warnings& warnings,
+                                      MissingPresets missing = MissingPresets::Refuse);
 
 [[nodiscard]] std::string writeScene(const Scene& scene, const std::filesystem::path& sceneFolder);
 /// Writes beside the target and renames. Errors: Runtime, as writeFileAtomically.
