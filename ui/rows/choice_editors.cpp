@@ -47,6 +47,12 @@ void ChoiceEditor::refresh() {
   m_box->setCurrentIndex(m_mixed ? -1 : m_index);
 }
 
+QStringList ChoiceEditor::words() const {
+  QStringList words;
+  for (int i = 0; i < m_box->count(); ++i) words << m_box->itemText(i);
+  return words;
+}
+
 void ChoiceEditor::nameControls(const QString& path, const QString& id) {
   m_box->setAccessibleName(path);
   m_box->setObjectName(id + QStringLiteral(".choice"));

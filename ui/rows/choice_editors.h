@@ -27,6 +27,7 @@ class ChoiceEditor : public ValueEditor {
   void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
   [[nodiscard]] QComboBox* box() const { return m_box; }
+  [[nodiscard]] QStringList words() const override;
 
  private:
   void refresh();

@@ -45,7 +45,7 @@ void Swatch::paintEvent(QPaintEvent*) {
 }
 
 ColourEditor::ColourEditor(bool optional, const NumberRange& range, QWidget* parent)
-    : ValueEditor(parent), m_optional(optional) {
+    : ValueEditor(parent), m_range(range), m_optional(optional) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);

@@ -45,12 +45,14 @@ class ColourEditor : public ValueEditor {
   void nameControls(const QString& path, const QString& id) override;
   /// What an absent colour amounts to, shown while it is absent and taken as the start when it is switched on.
   void setAutomatic(const glm::vec3& linear);
+  [[nodiscard]] std::optional<NumberRange> range() const override { return m_range; }
 
  private:
   void openPicker();
   void tell(const glm::vec3& linear, Gesture gesture);
   void refresh();
 
+  NumberRange m_range;
   bool m_optional = false;
   bool m_mixed = false;
   bool m_own = true;  ///< a colour of its own, rather than none

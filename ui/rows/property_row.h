@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <optional>
 
+#include "core/base/result.h"
 #include "ui/rows/value_editor.h"
 
 class QLabel;
@@ -55,9 +56,10 @@ class PropertyRow : public QWidget {
 
  private:
   void refreshDot();
-  /// The table's row, or what is known of a value that is not in the table.
-  [[nodiscard]] ParameterRow described() const;
-  [[nodiscard]] bool canCopy() const;
+  struct Description;
+  /// The table's row, or what the editor knows of a value that is not in the table.
+  void describe(Description& description) const;
+  [[nodiscard]] Result<ParameterValue> clipboardValue() const;
 
   QString m_path;
   QString m_name;

@@ -9,7 +9,7 @@
 
 namespace dermis {
 
-ScalarEditor::ScalarEditor(const NumberRange& range, QWidget* parent) : ValueEditor(parent) {
+ScalarEditor::ScalarEditor(const NumberRange& range, QWidget* parent) : ValueEditor(parent), m_range(range) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(metrics::kGap);
@@ -51,6 +51,7 @@ void ScalarEditor::showDefaultNumber(double number) { m_slider->showDefault(numb
 void ScalarEditor::showMixed(bool mixed) { m_field->showMixed(mixed); }
 
 void ScalarEditor::setNumberRange(const NumberRange& range) {
+  m_range = range;
   m_slider->setNumberRange(range);
   m_field->setNumberRange(range);
 }

@@ -22,6 +22,7 @@ class ScalarEditor : public ValueEditor {
   void showNumber(double number);
   void showDefaultNumber(double number);
   void setNumberRange(const NumberRange& range);
+  [[nodiscard]] std::optional<NumberRange> range() const override { return m_range; }
   /// A short name before the slider, such as the channel's letter.
   void setPrefix(const QString& text);
   [[nodiscard]] ValueSlider* slider() const { return m_slider; }
@@ -31,6 +32,7 @@ class ScalarEditor : public ValueEditor {
   void numberEdited(double number, dermis::Gesture gesture);
 
  private:
+  NumberRange m_range;
   QLabel* m_prefix = nullptr;
   ValueSlider* m_slider = nullptr;
   NumberField* m_field = nullptr;

@@ -1,7 +1,9 @@
 // What all editors of one value share: they show a value given to them and tell of edits; they never keep the state.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+#include <optional>
 
 #include "core/material/parameter_table.h"
 #include "ui/rows/gesture.h"
@@ -32,6 +34,10 @@ class ValueEditor : public QWidget {
   virtual void showDefault(const ParameterValue&) {}
   /// Several values are shown at once and differ: a dash instead of one of them.
   virtual void showMixed(bool) {}
+  /// What its numbers may be, where it edits numbers.
+  [[nodiscard]] virtual std::optional<NumberRange> range() const { return std::nullopt; }
+  /// The words it chooses among, where it edits a choice.
+  [[nodiscard]] virtual QStringList words() const { return {}; }
   /// True where the row should put its label on a line of its own.
   [[nodiscard]] virtual bool wide() const { return false; }
 

@@ -18,7 +18,7 @@ glm::vec3 componentsOf(const ParameterValue& value) {
 }  // namespace
 
 VectorEditor::VectorEditor(int components, const NumberRange& range, const QStringList& letters, QWidget* parent)
-    : ValueEditor(parent), m_letters(letters) {
+    : ValueEditor(parent), m_range(range), m_letters(letters) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
@@ -60,7 +60,7 @@ void VectorEditor::nameControls(const QString& path, const QString& id) {
   }
 }
 
-TripleEditor::TripleEditor(const NumberRange& range, QWidget* parent) : ValueEditor(parent) {
+TripleEditor::TripleEditor(const NumberRange& range, QWidget* parent) : ValueEditor(parent), m_range(range) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(metrics::kGap);

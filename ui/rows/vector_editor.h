@@ -21,8 +21,10 @@ class VectorEditor : public ValueEditor {
   void showDefault(const ParameterValue& value) override;
   void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
+  [[nodiscard]] std::optional<NumberRange> range() const override { return m_range; }
 
  private:
+  NumberRange m_range;
   QStringList m_letters;
   std::vector<ScalarEditor*> m_components;
   glm::vec3 m_shown{0.0F};
@@ -35,8 +37,10 @@ class TripleEditor : public ValueEditor {
   explicit TripleEditor(const NumberRange& range, QWidget* parent = nullptr);
   void showValue(const ParameterValue& value) override;
   void nameControls(const QString& path, const QString& id) override;
+  [[nodiscard]] std::optional<NumberRange> range() const override { return m_range; }
 
  private:
+  NumberRange m_range;
   std::vector<NumberField*> m_fields;
   glm::vec3 m_shown{0.0F};
 };
