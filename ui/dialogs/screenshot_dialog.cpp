@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,6 +16,7 @@
 #include <array>
 
 #include "renderer.h"
+#include "ui/dialogs/save_dialog.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
 
@@ -35,6 +35,19 @@ QSpinBox* spin(int lowest, int highest, int value, const QString& name, QWidget*
   box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   box->setFixedWidth(80);
   return box;
+}
+
+/// A name that no picture has yet: one after another is kept without a question.
+QString freePicture(const QDir& folder) {
+  QString path = folder.filePath(QStringLiteral("dermis.png"));
+  for (int i = 2; QFileInfo::exists(path); ++i) path = folder.filePath(QStringLiteral("dermis %1.png").arg(i));
+  return path;
+}
+
+const QStringList& endings() {
+  static const QStringList kEndings = {QStringLiteral("png"),  QStringLiteral("exr"), QStringLiteral("jpg"),
+                                       QStringLiteral("jpeg"), QStringLiteral("tif"), QStringLiteral("tiff")};
+  return kEndings;
 }
 
 }  // namespace
@@ -87,7 +100,7 @@ ScreenshotDialog::ScreenshotDialog(const glm::ivec2& viewport, const QString& vi
       settings
           .value(QStringLiteral("folders/pictures"), QStandardPaths::writableLocation(QStandardPaths::PicturesLocation))
           .toString();
-  m_path = new QLineEdit(QDir(folder).filePath(QStringLiteral("dermis.png")), this);
+  m_path = new QLineEdit(freePicture(QDir(folder)), this);
   m_path->setObjectName(QStringLiteral("screenshot.path"));
   m_path->setAccessibleName(tr("File"));
   auto* browse = new QPushButton(tr("Choose…"), this);
@@ -155,18 +168,27 @@ void ScreenshotDialog::choosePreset(int index) {
 }
 
 void ScreenshotDialog::chooseFile() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save a picture"), m_path->text(),
-                                                    tr("Pictures (*.png *.exr *.jpg *.tif)"));
-  if (!path.isEmpty()) m_path->setText(path);
+  const QString path = askWhereToSave(this, tr("Save a picture"), m_path->text(),
+                                      tr("Pictures (*.png *.exr *.jpg *.tif)"), endings());
+  if (path.isEmpty()) return;
+  m_agreed = path;
+  m_path->setText(path);
+}
+
+void ScreenshotDialog::accept() {
+  const PictureRequest wanted = request();
+  // Of a turntable's frames the first stands for all.
+  const std::filesystem::path file =
+      wanted.kind == PictureKind::Turntable ? framePath(wanted.path, 0) : wanted.path;
+  const bool agreed = wanted.path.empty() || pathText(file) == m_agreed;
+  if (agreed || mayWriteOver(pathText(file), this)) QDialog::accept();
 }
 
 void ScreenshotDialog::refresh() {
-  static const QStringList kEndings = {QStringLiteral("png"),  QStringLiteral("exr"), QStringLiteral("jpg"),
-                                       QStringLiteral("jpeg"), QStringLiteral("tif"), QStringLiteral("tiff")};
   const QString ending = QFileInfo(m_path->text()).suffix().toLower();
   const auto kind = static_cast<PictureKind>(m_kind->currentIndex());
   const bool sheet = kind == PictureKind::Sheet;
-  m_save->setEnabled(sheet ? ending == QStringLiteral("png") : kEndings.contains(ending));
+  m_save->setEnabled(sheet ? ending == QStringLiteral("png") : endings().contains(ending));
   m_save->setToolTip(m_save->isEnabled() ? QString()
                      : sheet             ? tr("A sheet's file name ends in .png")
                                          : tr("The file's name ends in .png, .exr, .jpg or .tif"));

@@ -22,6 +22,8 @@ class ScreenshotDialog : public QDialog {
                    QWidget* parent);
   /// Its path is empty where the picture goes to the clipboard.
   [[nodiscard]] PictureRequest request() const;
+  /// Asks before a picture that is there is written over.
+  void accept() override;
 
  private:
   void choosePreset(int index);
@@ -31,6 +33,7 @@ class ScreenshotDialog : public QDialog {
 
   glm::ivec2 m_viewport{0};
   bool m_toClipboard = false;
+  QString m_agreed;  ///< a file that may be written over: its own dialog has asked
   QComboBox* m_kind = nullptr;
   QSpinBox* m_frames = nullptr;
   QComboBox* m_view = nullptr;

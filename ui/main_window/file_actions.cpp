@@ -9,8 +9,10 @@
 #include <map>
 #include <utility>
 
+#include "core/base/file_reference.h"
 #include "core/light_rig/light_rig.h"
 #include "ui/browse/preset_library.h"
+#include "ui/dialogs/save_dialog.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/text.h"
@@ -84,7 +86,7 @@ void FileActions::open(const QString& given) {
       break;
     }
     case FileKind::Preset:
-      m_loading.applyPreset(path.toStdString(), m_document.currentSlot());
+      m_loading.applyPreset(path.toStdString(), m_document.editedSlots());
       break;
     case FileKind::Environment:
     case FileKind::Image:
@@ -120,10 +122,7 @@ void FileActions::chooseEnvironment() {
 }
 
 void FileActions::setEnvironmentFile(const QString& path) {
-  EnvironmentSource source = m_document.scene().environment;
-  source.faces = {};
-  source.constant.reset();
-  source.rig.reset();
+  EnvironmentSource source;
   source.builtin.clear();
   source.path = QFileInfo(path).absoluteFilePath().toStdString();
   m_loading.setEnvironment(source);
@@ -134,9 +133,9 @@ bool FileActions::save() { return m_document.path().empty() ? saveAs() : m_loadi
 bool FileActions::saveAs() {
   const QString start = m_document.path().empty() ? startFolder("scenes") + QStringLiteral("/untitled.dermis")
                                                   : pathText(m_document.path());
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Save scene"), start, tr("Scenes (*.dermis)"));
+  const QString path =
+      askWhereToSave(m_window, tr("Save scene"), start, tr("Scenes (*.dermis)"), {QStringLiteral("dermis")});
   if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".dermis");
   rememberFolder("scenes", path);
   return m_loading.saveScene(toPath(path));
 }
@@ -145,8 +144,9 @@ void FileActions::savePreset() {
   const SlotLook* look = m_document.currentLook();
   if (look == nullptr) return;
   const std::string path = look->binding ? look->binding->presetPath : std::string();
-  // What the program carries can't be written over: that becomes a preset of the user's own.
-  if (path.empty() || path.starts_with("builtin:"))
+  // What the program carries can't be written over: that becomes a preset of the user's own. One that was thrown away
+  // doesn't come back unasked.
+  if (path.empty() || namesNoFile(path) || !QFileInfo::exists(text(path)))
     savePresetAs();
   else
     m_loading.savePreset(m_document.currentSlot(), path);
@@ -156,22 +156,23 @@ void FileActions::savePresetAs() {
   const SlotLook* look = m_document.currentLook();
   if (look == nullptr) return;
   const QString name = look->worn.material.name.empty() ? m_document.currentSlot() : text(look->worn.material.name);
-  QString path = QFileDialog::getSaveFileName(m_window, tr("Save preset"),
-                                              userPresetFolder() + QLatin1Char('/') + name + QStringLiteral(".json"),
-                                              tr("Presets (*.json)"));
+  const QString start = userPresetFolder() + QLatin1Char('/') + fileNameOf(name) + QStringLiteral(".json");
+  const QString path =
+      askWhereToSave(m_window, tr("Save preset"), start, tr("Presets (*.json)"), {QStringLiteral("json")});
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
-  m_loading.savePreset(m_document.currentSlot(), toPath(path));
+  // Another file is another preset, and it is called as its file; the proposed one keeps what a file's name can't say.
+  const QString chosen = QFileInfo(path).completeBaseName();
+  m_loading.savePreset(m_document.currentSlot(), toPath(path),
+                       chosen == fileNameOf(name) ? name.toStdString() : chosen.toStdString());
 }
 
 void FileActions::saveRig(const LightRig* rig) {
   if (rig == nullptr) return;
-  QString path = QFileDialog::getSaveFileName(
+  const QString path = askWhereToSave(
       m_window, tr("Save light rig"),
-      startFolder("environments") + QLatin1Char('/') + text(rig->name) + QStringLiteral(".json"),
-      tr("Light rigs (*.json)"));
+      startFolder("environments") + QLatin1Char('/') + fileNameOf(text(rig->name)) + QStringLiteral(".json"),
+      tr("Light rigs (*.json)"), {QStringLiteral("json")});
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".json");
   rememberFolder("environments", path);
   m_loading.saveRig(*rig, toPath(path));
 }
