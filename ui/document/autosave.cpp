@@ -4,6 +4,7 @@
 #include <QUuid>
 #include <algorithm>
 
+#include "ui/jobs/task_runner.h"
 #include "ui/text.h"
 
 namespace dermis {
@@ -94,11 +95,17 @@ void Autosave::write() {
   m_writing = true;
   Recovery recovery{m_document.sceneForSaving(), m_document.path(), QDateTime::currentMSecsSinceEpoch()};
   m_pool.start([this, file = m_file, recovery = std::move(recovery)] {
-    Result<void> result = saveRecovery(file, recovery);
+    const Result<void> result = [&]() -> Result<void> {
+      try {
+        return saveRecovery(file, recovery);
+      } catch (const std::exception& error) {
+        return runtimeError(file.string() + " could not be written: " + reasonOf(error));
+      }
+    }();
     // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the event queue owns what is called
     QMetaObject::invokeMethod(
         this,
-        [this, result = std::move(result)] {
+        [this, result] {
           m_writing = false;
           finished(result);
         },

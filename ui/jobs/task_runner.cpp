@@ -1,8 +1,15 @@
 #include "ui/jobs/task_runner.h"
 
 #include <algorithm>
+#include <new>
 
 namespace dermis {
+
+std::string reasonOf(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "there is not enough memory for it; close other programs, or use a smaller file";
+  return error.what();
+}
 
 TaskRunner::~TaskRunner() {
   // Ask all of them first, so that they stop side by side; the threads' destructors then wait.
@@ -10,18 +17,27 @@ TaskRunner::~TaskRunner() {
 }
 
 void TaskRunner::start(const QString& lane, const QString& title,
-                       std::function<std::function<void()>(std::stop_token)> work) {
+                       std::function<std::function<void()>(std::stop_token)> work, std::function<void()> broken) {
   cancel(lane);
   auto task = std::make_unique<Task>();
   task->lane = lane;
   task->title = title;
   task->number = ++m_last;
   const quint64 number = task->number;
-  task->thread = std::jthread([this, number, work = std::move(work)](std::stop_token stop) mutable {
-    std::function<void()> done = work(stop);
-    QMetaObject::invokeMethod(
-        this, [this, number, done = std::move(done)] { finish(number, done); }, Qt::QueuedConnection);
-  });
+  task->thread = std::jthread(
+      [this, number, title, work = std::move(work), broken = std::move(broken)](std::stop_token stop) mutable {
+        std::function<void()> done;
+        try {
+          done = work(stop);
+        } catch (const std::exception& error) {
+          done = [this, title, broken = std::move(broken), why = QString::fromStdString(reasonOf(error))] {
+            Q_EMIT problem(tr("%1 did not succeed: %2.").arg(title, why));
+            if (broken) broken();
+          };
+        }
+        QMetaObject::invokeMethod(
+            this, [this, number, done = std::move(done)] { finish(number, done); }, Qt::QueuedConnection);
+      });
   m_tasks.push_back(std::move(task));
   Q_EMIT activityChanged();
 }

@@ -3,13 +3,18 @@
 
 #include <QObject>
 #include <QString>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <stop_token>
+#include <string>
 #include <thread>
 #include <vector>
 
 namespace dermis {
+
+/// What an exception means, as the end of a sentence.
+[[nodiscard]] std::string reasonOf(const std::exception& error);
 
 /// Runs each task on a thread of its own. Tasks of one lane replace each other: a new one asks the older to stop, and
 /// the older one's result is dropped. All methods belong to the GUI thread.
@@ -20,14 +25,16 @@ class TaskRunner : public QObject {
   ~TaskRunner() override;
 
   /// `work` runs beside, `done` here with what it returned, unless the task was cancelled or replaced. `work` returns
-  /// something copyable.
+  /// something copyable. Where it throws, `problem` is told and `broken` called instead of `done`.
   template <class Work, class Done>
-  void run(const QString& lane, const QString& title, Work work, Done done) {
-    start(lane, title,
-          [work = std::move(work), done = std::move(done)](std::stop_token stop) mutable -> std::function<void()> {
-            auto result = std::make_shared<decltype(work(stop))>(work(stop));
-            return [result, done = std::move(done)]() mutable { done(std::move(*result)); };
-          });
+  void run(const QString& lane, const QString& title, Work work, Done done, std::function<void()> broken = {}) {
+    start(
+        lane, title,
+        [work = std::move(work), done = std::move(done)](std::stop_token stop) mutable -> std::function<void()> {
+          auto result = std::make_shared<decltype(work(stop))>(work(stop));
+          return [result, done = std::move(done)]() mutable { done(std::move(*result)); };
+        },
+        std::move(broken));
   }
 
   void cancel(const QString& lane);
@@ -44,6 +51,8 @@ class TaskRunner : public QObject {
  Q_SIGNALS:
   /// A task has begun or ended.
   void activityChanged();
+  /// A task has thrown: one sentence.
+  void problem(const QString& sentence);
 
  private:
   struct Task {
@@ -54,7 +63,8 @@ class TaskRunner : public QObject {
     bool dropped = false;  ///< cancelled: its result is not wanted
     std::jthread thread;
   };
-  void start(const QString& lane, const QString& title, std::function<std::function<void()>(std::stop_token)> work);
+  void start(const QString& lane, const QString& title, std::function<std::function<void()>(std::stop_token)> work,
+             std::function<void()> broken);
   void finish(quint64 number, const std::function<void()>& done);
 
   std::vector<std::unique_ptr<Task>> m_tasks;
