@@ -128,7 +128,7 @@ TEST_F(Browse, EnterPutsAPresetOnTheSlotAsOneEntry) {
 TEST_F(Browse, AnEditedSlotShowsAStarAndCanBeRevertedOrUpdateItsPreset) {
   const QString path = save(userPresetFolder(), "Fair", 1.5F);
   ASSERT_TRUE(waitFor(QStringLiteral("Fair")));
-  panel->apply(path, QStringLiteral("face"));
+  panel->apply(path, {QStringLiteral("face")});
   ASSERT_TRUE(waitIdle());
   document().setCurrentSlot(QStringLiteral("face"));
   auto* revert = find<QToolButton>(QStringLiteral("presets.revert"));
@@ -163,7 +163,7 @@ TEST_F(Browse, PresetsAreDuplicatedRenamedAndThrownAway) {
   EXPECT_EQ(files, QStringList{QStringLiteral("Carrara_1.json")});
   // A slot that wears it keeps its look when the file goes, and so does a scene saved then.
   list->setCurrentItem(item(QStringLiteral("Carrara/1")));
-  panel->apply(userPresetFolder() + QStringLiteral("/Carrara_1.json"), QStringLiteral("face"));
+  panel->apply(userPresetFolder() + QStringLiteral("/Carrara_1.json"), {QStringLiteral("face")});
   ASSERT_TRUE(waitIdle());
   panel->trashSelected();
   EXPECT_EQ(item(QStringLiteral("Carrara/1")), nullptr) << window->messageBar()->message().toStdString();

@@ -188,7 +188,7 @@ TEST_F(CopyPaste, TheDotTellsAPresetsChangesFromTheDefaults) {
   Material material;
   material.name = "Dots";
   material.parameters.specularLobeMix = 0.4F;
-  document().applyMaterial(face, ResolvedMaterial{material, {}}, "/presets/dots.json");
+  document().applyMaterial({face}, ResolvedMaterial{material, {}}, "/presets/dots.json");
   PropertyRow* lobes = row("specular.lobe_mix");
   EXPECT_TRUE(lobes->isModified());
   EXPECT_FALSE(lobes->differsFromPreset());

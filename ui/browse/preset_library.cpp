@@ -4,7 +4,6 @@
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
-#include <QRegularExpression>
 #include <QStandardPaths>
 
 #include "core/base/file_reference.h"
@@ -12,7 +11,9 @@
 #include "core/material/builtin_presets.h"
 #include "core/material/preset_io.h"
 #include "core/material/preset_tags.h"
+#include "ui/dialogs/save_dialog.h"
 #include "ui/text.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
@@ -35,7 +36,7 @@ PresetEntry makeEntry(const QString& path, const QString& name, Material materia
   PresetEntry entry;
   entry.path = path;
   entry.name = name;
-  entry.tags << text(shadingModelRow(material.model).label)
+  entry.tags << tableText(shadingModelRow(material.model).label)
              << (entry.isBuiltin() ? PresetLibrary::tr("built in") : PresetLibrary::tr("mine"));
   for (const std::string& tag : presetTags(material)) entry.tags << text(tag);
   entry.key = thumbnailKey(material);
@@ -43,13 +44,12 @@ PresetEntry makeEntry(const QString& path, const QString& name, Material materia
   return entry;
 }
 
-/// A file of that name which isn't there yet, beside others of one folder.
-QString freeFile(const QString& folder, const QString& name) {
-  static const QRegularExpression kNotInNames(QStringLiteral("[/\\\\:*?\"<>|\\x00-\\x1f]"));
-  QString stem = QString(name).replace(kNotInNames, QStringLiteral("_")).trimmed();
-  if (stem.isEmpty() || stem.startsWith(QLatin1Char('.'))) stem.prepend(QStringLiteral("preset"));
+/// A file of that name which isn't there yet, beside others of one folder; `own` may be there.
+QString freeFile(const QString& folder, const QString& name, const QString& own = {}) {
+  const QString stem = fileNameOf(name);
   QString path = folder + QLatin1Char('/') + stem + QStringLiteral(".json");
-  for (int i = 2; QFile::exists(path); ++i) path = QStringLiteral("%1/%2 %3.json").arg(folder, stem).arg(i);
+  for (int i = 2; QFile::exists(path) && path != own; ++i)
+    path = QStringLiteral("%1/%2 %3.json").arg(folder, stem).arg(i);
   return path;
 }
 
@@ -106,7 +106,7 @@ void PresetLibrary::addBuiltins() {
     Warnings ignored;
     for (const BuiltinPreset& preset : builtinPresets())
       if (Result<Material> material = loadBuiltinPreset(preset.id, ignored))
-        entries.push_back(makeEntry(text(builtinReference(preset.id)), text(preset.name), std::move(*material)));
+        entries.push_back(makeEntry(text(builtinReference(preset.id)), tableText(preset.name), std::move(*material)));
     return entries;
   }();
   m_entries = kBuiltins;
@@ -152,11 +152,16 @@ Result<QString> PresetLibrary::duplicate(const PresetEntry& entry) {
 Result<QString> PresetLibrary::rename(const PresetEntry& entry, const QString& name) {
   const QString old = entry.path;
   Material material = entry.material;
+  const QString oldName = text(material.name);
   material.name = name.toStdString();
-  QString path = freeFile(QFileInfo(old).path(), name);
+  QString path = freeFile(QFileInfo(old).path(), name, old);
+  if (path == old && oldName == name) return path;
   if (const Result<void> saved = savePreset(toPath(path), material); !saved) return tl::unexpected(saved.error());
-  if (!QFile::remove(old))
+  if (path != old && !QFile::remove(old)) {
+    refresh();
     return runtimeError(old.toStdString() + " could not be removed; the preset is there under both names");
+  }
+  Q_EMIT renamed(old, path, oldName, name);
   refresh();
   return path;
 }

@@ -50,6 +50,8 @@ class PresetLibrary : public QObject {
 
  Q_SIGNALS:
   void changed();
+  /// A preset has another file and name.
+  void renamed(const QString& from, const QString& to, const QString& oldName, const QString& newName);
 
  private:
   void addBuiltins();

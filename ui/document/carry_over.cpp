@@ -33,6 +33,19 @@ void replaceBelonging(SlotLook& look, const ResolvedMaterial& imported, bool isH
 
 }  // namespace
 
+CarriedOver::CarriedOver(const Model& from, const Model& to)
+    : m_from(from.bounds.centre()),
+      m_to(to.bounds.centre()),
+      m_ratio(to.bounds.radius() / std::max(from.bounds.radius(), 1e-12F)) {}
+
+Camera CarriedOver::operator()(const Camera& camera) const {
+  Camera next = camera;
+  next.position = (*this)(camera.position);
+  next.target = (*this)(camera.target);
+  if (next.orthographicHeight) *next.orthographicHeight *= m_ratio;
+  return next;
+}
+
 WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::shared_ptr<const Model> model,
                     std::vector<ResolvedMaterial> imported) {
   WholeLook after = before;
@@ -65,11 +78,9 @@ WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::sha
     after.shelved[before.model->slots[j].name] = before.slotLooks[j];
 
   if (before.model) {
-    const glm::vec3 from = before.model->bounds.centre();
-    const glm::vec3 to = model->bounds.centre();
-    const float s = model->bounds.radius() / std::max(before.model->bounds.radius(), 1e-12F);
+    const CarriedOver place(*before.model, *model);
+    const float s = place.ratio();
     const float millimetres = s * after.millimetresPerUnit / before.millimetresPerUnit;
-    const auto place = [&](const glm::vec3& p) { return to + s * (p - from); };
     for (Light& light : after.scene.lights) {
       light.position = place(light.position);
       if (light.type != LightType::Directional) light.intensity *= s * s;
@@ -77,9 +88,8 @@ WholeLook carryOver(const WholeLook& before, const ModelSource& source, std::sha
       light.radiusMm *= millimetres;
       light.sizeMm *= millimetres;
     }
-    after.camera.position = place(after.camera.position);
-    after.camera.target = place(after.camera.target);
-    if (after.camera.orthographicHeight) *after.camera.orthographicHeight *= s;
+    for (CameraBookmark& bookmark : after.scene.bookmarks) bookmark.camera = place(bookmark.camera);
+    after.camera = place(after.camera);
     after.scene.camera = after.camera;
   }
   after.model = std::move(model);

@@ -4,14 +4,16 @@
 
 #include "core/base/file_reference.h"
 #include "ui/document/carry_over.h"
-#include "ui/document/section_command.h"
-#include "ui/text.h"
+#include "ui/document/document_commit.h"
 
 namespace dermis {
 
 Document::Document(QObject* parent) : QObject(parent) {
   connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+  connect(&m_undo, &QUndoStack::indexChanged, this, [this] { ++m_edits; });
 }
+
+Document::~Document() { m_undo.disconnect(this); }
 
 QStringList Document::slotNames() const {
   QStringList names;
@@ -53,10 +55,15 @@ Scene Document::sceneForSaving() const {
   std::erase_if(scene.materials, [this](const auto& entry) {
     return entry.first != "*" && slotIndex(QString::fromStdString(entry.first)) < 0;
   });
-  // A preset that has been renamed or thrown away is kept in the scene itself: its path would open nothing.
-  for (auto& [slot, binding] : scene.materials)
-    if (!binding.presetPath.empty() && !namesNoFile(binding.presetPath) && !std::filesystem::exists(binding.presetPath))
+  for (auto& [slot, binding] : scene.materials) {
+    m_presets.refresh(binding);
+    // A preset that has been thrown away is kept in the scene itself: its path would open nothing. One that was not
+    // there from the start may come back.
+    std::error_code unreadable;
+    if (!binding.presetPath.empty() && !namesNoFile(binding.presetPath) && !binding.missing &&
+        !std::filesystem::exists(binding.presetPath, unreadable))
       binding.edited = true;
+  }
   scene.camera = m_now.camera;
   return scene;
 }
@@ -69,188 +76,6 @@ QString Document::displayName() const {
 void Document::tell(Change what) {
   m_snapshot.reset();
   Q_EMIT changed(what);
-}
-
-template <class Section, class Apply>
-void Document::commit(const QString& text, const QString& key, Gesture gesture, Section before, Section after,
-                      Apply apply) {
-  if (before == after) return;
-  m_undo.push(new SectionCommand<Section>(text, key, gesture, std::move(before), std::move(after), std::move(apply)));
-}
-
-// --- materials -----------------------------------------------------------------------------------------------------
-
-void Document::refreshImages(SlotLook& look) const {
-  if (m_reread.empty()) return;
-  for (std::size_t i = 0; i < kTextureSlotCount; ++i)
-    if (const auto newer = m_reread.find(look.worn.material.textures.at(i).path); newer != m_reread.end())
-      look.worn.images.at(i) = newer->second;
-}
-
-void Document::replaceImage(const std::string& path, const std::shared_ptr<const Image>& image) {
-  m_reread[path] = image;
-  for (SlotLook& look : m_now.slotLooks) refreshImages(look);
-  tell(Change::Material);
-}
-
-void Document::applyLooks(const Looks& looks) {
-  for (const auto& [slot, look] : looks) {
-    const int index = slotIndex(slot);
-    if (index < 0) continue;
-    SlotLook& worn = m_now.slotLooks[static_cast<std::size_t>(index)];
-    worn = look;
-    refreshImages(worn);
-    if (look.binding)
-      m_now.scene.materials[slot.toStdString()] = *look.binding;
-    else
-      m_now.scene.materials.erase(slot.toStdString());
-  }
-  tell(Change::Material);
-}
-
-SlotLook* Document::lookToChange(Looks& looks, const QString& slot) const {
-  for (auto& [name, look] : looks)
-    if (name == slot) return &look;
-  const SlotLook* look = slotLook(slot);
-  return look == nullptr ? nullptr : &looks.emplace_back(slot, *look).second;
-}
-
-void Document::commitLooks(Looks after, const QString& text, const QString& key, Gesture gesture) {
-  Looks before;
-  QString where;
-  for (auto& [slot, look] : after) {
-    const SlotLook& worn = before.emplace_back(slot, *slotLook(slot)).second;
-    where += slot + QLatin1Char('/');
-    // The binding says what a file would hold: the same material, and whether it still is its preset.
-    if (look.worn.material == worn.worn.material && !look.binding) continue;
-    if (!look.binding) {
-      const MaterialBinding* shared = m_now.scene.bindingFor(slot.toStdString());
-      look.binding = shared != nullptr ? *shared : MaterialBinding{};
-    }
-    look.binding->material = look.worn.material;
-    if (look.preset) look.binding->edited = !(*look.preset == look.worn.material);
-  }
-  commit(text, QStringLiteral("material/") + where + key, gesture, std::move(before), std::move(after),
-         [this](const Looks& looks) { applyLooks(looks); });
-}
-
-void Document::commitLook(const QString& slot, SlotLook after, const QString& text, const QString& key,
-                          Gesture gesture) {
-  Looks looks;
-  looks.emplace_back(slot, std::move(after));
-  commitLooks(std::move(looks), text, key, gesture);
-}
-
-void Document::setParameter(const QString& slot, std::string_view id, const ParameterValue& value, Gesture gesture) {
-  if (const ParameterRow* row = findParameter(id))
-    setParameters({{slot, row, value}},
-                  tr("%1 › %2 of %3").arg(dermis::text(row->group), dermis::text(row->label), slot), dermis::text(id),
-                  gesture);
-}
-
-void Document::setParameters(const std::vector<ParameterEdit>& edits, const QString& text, const QString& key,
-                             Gesture gesture) {
-  Looks looks;
-  for (const ParameterEdit& edit : edits)
-    if (SlotLook* look = lookToChange(looks, edit.slot))
-      dermis::setParameter(look->worn.material.parameters, *edit.row, clampToHardRange(*edit.row, edit.value));
-  commitLooks(std::move(looks), text, key, gesture);
-}
-
-void Document::setShadingModel(const QStringList& slots_, ShadingModel model) {
-  Looks looks;
-  for (const QString& slot : slots_)
-    if (SlotLook* look = lookToChange(looks, slot)) look->worn.material.model = model;
-  commitLooks(
-      std::move(looks),
-      tr("Shading model %1 for %2").arg(dermis::text(shadingModelRow(model).label), slots_.join(QStringLiteral(", "))),
-      QStringLiteral("model"), 0);
-}
-
-namespace {
-
-/// Binds a map in a look.
-void bindTexture(ResolvedMaterial& worn, const TextureEdit& edit) {
-  Material& material = worn.material;
-  const bool wasPresent = material.texture(edit.texture).present();
-  material.texture(edit.texture) = edit.binding;
-  worn.images.at(static_cast<std::size_t>(edit.texture)) = edit.binding.present() ? edit.image : nullptr;
-  if (!edit.binding.present() || wasPresent) return;
-  // So that a dropped albedo map isn't tinted by the default albedo.
-  for (const ParameterRow& row : parameterTable()) {
-    if (row.map != edit.texture || !row.usedBy(material.model)) continue;
-    if (!(row.get(material.parameters) == row.defaultValue())) continue;
-    if (row.type == ParameterType::Float) row.set(material.parameters, clampToHardRange(row, ParameterValue(1.0F)));
-    if (row.type == ParameterType::Colour) row.set(material.parameters, ParameterValue(Colour{glm::vec3(1.0F)}));
-  }
-}
-
-}  // namespace
-
-void Document::setTexture(const QString& slot, TextureSlot texture, const TextureBinding& binding,
-                          std::shared_ptr<const Image> image, Gesture gesture) {
-  const SlotLook* look = slotLook(slot);
-  if (look == nullptr) return;
-  const QString text = !binding.present()                               ? tr("Clear %1 map of %2")
-                       : look->worn.material.texture(texture).present() ? tr("Change %1 map of %2")
-                                                                        : tr("Assign %1 map to %2");
-  setTextures({{slot, texture, binding, std::move(image)}},
-              text.arg(dermis::text(textureSlotRow(texture).label).toLower(), slot), gesture);
-}
-
-void Document::setTextures(const std::vector<TextureEdit>& edits, const QString& text, Gesture gesture) {
-  Looks looks;
-  QString key = QStringLiteral("texture");
-  for (const TextureEdit& edit : edits) {
-    SlotLook* look = lookToChange(looks, edit.slot);
-    if (look == nullptr) continue;
-    // What was decoded for this edit is the newest there is of its file.
-    if (const auto known = m_reread.find(edit.binding.path); known != m_reread.end() && edit.image)
-      known->second = edit.image;
-    bindTexture(look->worn, edit);
-    key += QLatin1Char('/') + dermis::text(textureSlotRow(edit.texture).id);
-  }
-  commitLooks(std::move(looks), text, key, gesture);
-}
-
-void Document::applyMaterial(const QString& slot, const ResolvedMaterial& material, const std::string& presetPath) {
-  const SlotLook* look = slotLook(slot);
-  if (look == nullptr) return;
-  SlotLook after;
-  after.worn = material;
-  after.binding = MaterialBinding{material.material, presetPath, false};
-  after.preset = std::make_shared<const Material>(material.material);
-  const QString name = QString::fromStdString(material.material.name);
-  commitLook(slot, std::move(after), tr("Apply %1 to %2").arg(name.isEmpty() ? tr("material") : name, slot),
-             QStringLiteral("apply"), 0);
-}
-
-void Document::pasteMaterial(const QStringList& slots_, const ResolvedMaterial& material) {
-  Looks looks;
-  for (const QString& slot : slots_) {
-    SlotLook* look = lookToChange(looks, slot);
-    if (look == nullptr) continue;
-    *look = SlotLook{material, MaterialBinding{material.material, {}, false}, nullptr};
-  }
-  commitLooks(std::move(looks), tr("Paste material on %1").arg(slots_.join(QStringLiteral(", "))),
-              QStringLiteral("paste"), 0);
-}
-
-void Document::revertToPreset(const QString& slot, const ResolvedMaterial& material) {
-  const SlotLook* look = slotLook(slot);
-  if (look == nullptr || !look->preset) return;
-  SlotLook after = *look;
-  after.worn = material;
-  commitLook(slot, std::move(after), tr("Revert %1").arg(slot), QStringLiteral("revert"), 0);
-}
-
-void Document::markPresetSaved(const QString& slot, const std::filesystem::path& presetPath) {
-  const int index = slotIndex(slot);
-  if (index < 0) return;
-  SlotLook look = m_now.slotLooks[static_cast<std::size_t>(index)];
-  look.binding = MaterialBinding{look.worn.material, presetPath.string(), false};
-  look.preset = std::make_shared<const Material>(look.worn.material);
-  applyLooks({{slot, look}});
 }
 
 // --- environment, lights, view --------------------------------------------------------------------------------------
@@ -294,11 +119,11 @@ void Document::commitLights(std::vector<Light> after, const QString& text, const
          });
 }
 
-void Document::addLight(const Light& light) {
+void Document::addLight(const Light& light, const QString& text) {
   if (m_now.scene.lights.size() >= kMaxLights) return;
   std::vector<Light> after = m_now.scene.lights;
   after.push_back(light);
-  commitLights(std::move(after), tr("Add light"), QStringLiteral("add"), 0);
+  commitLights(std::move(after), text.isEmpty() ? tr("Add light") : text, QStringLiteral("add"), 0);
 }
 
 void Document::removeLight(std::size_t index) {
@@ -354,6 +179,7 @@ void Document::setCamera(const Camera& camera) {
 void Document::applyWhole(const WholeLook& whole) {
   m_now = whole;
   for (SlotLook& look : m_now.slotLooks) refreshImages(look);
+  refreshPresets();
   const QStringList names = slotNames();
   const bool lost = !names.contains(m_currentSlot);
   if (lost) m_currentSlot = names.value(0);
@@ -392,7 +218,8 @@ void Document::restoreLook(const WholeLook& look, const QString& text) {
   if (look.scene == m_now.scene && look.model == m_now.model && look.environment == m_now.environment) return;
   commit(text, QStringLiteral("look"), 0, m_now, look, [this](const WholeLook& whole) {
     WholeLook next = whole;
-    next.camera = m_now.camera;  // navigation is not part of a look
+    // Navigation is not part of a look; it comes along to another model.
+    next.camera = whole.model == m_now.model ? m_now.camera : CarriedOver(*m_now.model, *whole.model)(m_now.camera);
     applyWhole(next);
   });
 }
@@ -417,6 +244,9 @@ void Document::replace(const ResolvedScene& scene, const std::filesystem::path& 
   }
   m_undo.clear();
   m_reread.clear();
+  m_presets.clear();
+  for (const auto& [slot, binding] : whole.scene.materials)
+    if (!binding.edited && !binding.missing) m_presets.holds(binding.presetPath, binding.material);
   m_path = path;
   m_currentSlot.clear();
   applyWhole(whole);

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/material/parameter_table.h"
+#include "ui/document/preset_memory.h"
 #include "ui/document/sections.h"
 #include "ui/rows/gesture.h"
 
@@ -33,6 +34,8 @@ class Document : public QObject {
   Q_OBJECT
  public:
   explicit Document(QObject* parent = nullptr);
+  /// Nobody is told of what the undo stack says while it goes: unsaved work stays unsaved.
+  ~Document() override;
 
   // --- reading ---------------------------------------------------------------------------------------------------
   /// False until the first look has been resolved.
@@ -57,6 +60,8 @@ class Document : public QObject {
 
   [[nodiscard]] QUndoStack& undoStack() { return m_undo; }
   [[nodiscard]] bool isModified() const { return !m_undo.isClean(); }
+  /// Another number after every edit, undo and redo: whether anything was done meanwhile.
+  [[nodiscard]] quint64 edits() const { return m_edits; }
   /// The scene's file; empty while it has none.
   [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
   /// For the title bar: the file's name, or the scene's own.
@@ -73,19 +78,22 @@ class Document : public QObject {
                   std::shared_ptr<const Image> image, Gesture gesture = 0);
   /// The same for several maps, as one entry named `text`.
   void setTextures(const std::vector<TextureEdit>& edits, const QString& text, Gesture gesture = 0);
-  /// Puts a material on a slot, with its decoded maps. `presetPath` empty: an inline one.
-  void applyMaterial(const QString& slot, const ResolvedMaterial& material, const std::string& presetPath);
+  /// Puts a material on slots, with its decoded maps. `presetPath` empty: an inline one.
+  void applyMaterial(const QStringList& slots_, const ResolvedMaterial& material, const std::string& presetPath);
+  /// Slots wear what `from` wears, preset and maps, as one entry.
+  void dressAs(const QString& from, const QStringList& slots_);
   /// A material without a preset, on several slots.
   void pasteMaterial(const QStringList& slots_, const ResolvedMaterial& material);
-  /// Back to the preset as it was read; needs the preset's decoded maps as they are bound now.
-  void revertToPreset(const QString& slot, const ResolvedMaterial& material);
+  /// Each slot back to its preset, which comes with its decoded maps; slots without a preset are left alone.
+  void revertToPreset(const std::vector<std::pair<QString, ResolvedMaterial>>& presets);
 
   void setEnvironment(const EnvironmentSource& source, std::shared_ptr<const EnvironmentImages> images);
   /// Rotation, exposure and background of the environment there is.
   void setEnvironmentSettings(const EnvironmentSource& settings, const QString& text, Gesture gesture);
   /// The same for a gesture on the scene's own rig, whose images may follow later (setRigImages).
   void setEnvironmentLook(EnvironmentLook look, const QString& text, Gesture gesture);
-  void addLight(const Light& light);
+  /// `text` names the undo entry; empty: as a new light.
+  void addLight(const Light& light, const QString& text = {});
   void removeLight(std::size_t index);
   /// `what` names the edited property in the undo entry and keeps different ones apart.
   void setLight(std::size_t index, const Light& light, const QString& what, Gesture gesture);
@@ -119,8 +127,12 @@ class Document : public QObject {
   /// What is open differs from its file though there is nothing to undo.
   void markUnsaved() { m_undo.resetClean(); }
   void markSaved(const std::filesystem::path& path);
-  /// The slot's material is now what `presetPath` holds.
-  void markPresetSaved(const QString& slot, const std::filesystem::path& presetPath);
+  /// The slot's material is now what `presetPath` holds, and `name` is what it is called there. Other slots that wear
+  /// this preset, undo entries as well, differ from it by as much.
+  void markPresetSaved(const QString& slot, const std::filesystem::path& presetPath, const std::string& name);
+  /// A preset's file has another path, and the preset another name; `from` and `to` may be the same.
+  void presetMoved(const std::string& from, const std::string& to, const std::string& oldName,
+                   const std::string& newName);
 
  Q_SIGNALS:
   void changed(dermis::Change what);
@@ -137,6 +149,8 @@ class Document : public QObject {
   /// The look of a slot among those already changed, else a copy of what it wears; null for an unknown slot.
   [[nodiscard]] SlotLook* lookToChange(Looks& looks, const QString& slot) const;
   void refreshImages(SlotLook& look) const;
+  /// What all slots say of their presets, beside what the files hold. True where anything changed.
+  bool refreshPresets();
   void commitLights(std::vector<Light> after, const QString& text, const QString& key, Gesture gesture);
   [[nodiscard]] int slotIndex(const QString& slot) const;
   void applyLooks(const Looks& looks);
@@ -145,7 +159,9 @@ class Document : public QObject {
   void tell(Change what);
 
   WholeLook m_now;
+  PresetMemory m_presets;
   QUndoStack m_undo;
+  quint64 m_edits = 0;
   std::filesystem::path m_path;
   QString m_currentSlot;
   QStringList m_editedSlots;

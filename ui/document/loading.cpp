@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/base/file_reference.h"
-#include "core/builtin/default_look.h"
 #include "core/light_rig/rig_io.h"
 #include "core/material/preset_io.h"
 #include "core/scene/scene_io.h"
@@ -78,46 +77,8 @@ void Loading::tellWarnings(const Warnings& warnings) {
   for (const std::string& warning : warnings) Q_EMIT message(MessageKind::Warning, QString::fromStdString(warning));
 }
 
-void Loading::newScene() {
-  run(
-      QStringLiteral("scene"), tr("Preparing the scene"),
-      [](const ResolveOptions& options, Warnings& warnings) {
-        return resolveScene(defaultLook(), {}, options, warnings);
-      },
-      [this](ResolvedScene&& resolved) {
-        m_document.replace(resolved, {});
-        Q_EMIT finished();
-      });
-}
-
-void Loading::openScene(const std::filesystem::path& path) {
-  run(
-      QStringLiteral("scene"), tr("Opening %1").arg(fileName(path)),
-      [path](const ResolveOptions& options, Warnings& warnings) -> Result<ResolvedScene> {
-        Result<Scene> scene = loadScene(path, warnings);
-        if (!scene) return tl::unexpected(scene.error());
-        return resolveScene(*scene, std::filesystem::absolute(path).parent_path(), options, warnings);
-      },
-      [this, path](ResolvedScene&& resolved) {
-        m_document.replace(resolved, std::filesystem::absolute(path));
-        Q_EMIT fileUsed(QString::fromStdString(std::filesystem::absolute(path).string()));
-        Q_EMIT finished();
-      });
-}
-
-void Loading::openUnsaved(const Scene& scene, const std::filesystem::path& path, std::function<void()> done) {
-  run(
-      QStringLiteral("scene"), tr("Recovering the scene"),
-      [scene](const ResolveOptions& options, Warnings& warnings) { return resolveScene(scene, {}, options, warnings); },
-      [this, path, done = std::move(done)](ResolvedScene&& resolved) {
-        m_document.replace(resolved, path);
-        m_document.markUnsaved();
-        done();
-        Q_EMIT finished();
-      });
-}
-
 void Loading::openModel(const ModelSource& source) {
+  if (!m_document.isReady() && !source.path.empty()) return openAtStart({source.path});
   Scene only;
   only.model = source;
   if (!source.path.empty()) only.model.path = std::filesystem::absolute(source.path).string();
@@ -146,32 +107,53 @@ void Loading::openModel(const ModelSource& source) {
       });
 }
 
-void Loading::applyPreset(const std::string& preset, const QString& slot) {
-  if (m_document.slotLook(slot) == nullptr) return;
+void Loading::applyPreset(const std::string& preset, const QStringList& slots_) {
+  if (slots_.isEmpty()) return;
   const std::string path = builtinName(preset) ? preset : std::filesystem::absolute(preset).string();
   run(
-      QStringLiteral("preset/") + slot, tr("Loading preset"),
+      QStringLiteral("preset/") + slots_.join(QLatin1Char('/')), tr("Loading preset"),
       [path](const ResolveOptions& options, Warnings& warnings) -> Result<ResolvedMaterial> {
         Result<Material> material = loadPreset(path, warnings);
         if (!material) return tl::unexpected(material.error());
         return decodeMaps(*material, nullptr, options, warnings);
       },
-      [this, slot, path](ResolvedMaterial&& material) {
-        m_document.applyMaterial(slot, material, path);
+      [this, slots_, path](ResolvedMaterial&& material) {
+        m_document.applyMaterial(slots_, material, path);
         if (!builtinName(path)) Q_EMIT fileUsed(QString::fromStdString(path));
         Q_EMIT finished();
       });
 }
 
-void Loading::revertToPreset(const QString& slot) {
-  const SlotLook* look = m_document.slotLook(slot);
-  if (look == nullptr || !look->preset) return;
+void Loading::revertToPreset(const QStringList& slots_) {
+  struct Wanted {
+    QString slot;
+    std::shared_ptr<const Material> preset;  ///< null: what stands in the file is not known yet
+    std::string path;
+  };
+  std::vector<Wanted> all;
+  for (const QString& slot : slots_) {
+    const SlotLook* look = m_document.slotLook(slot);
+    if (look == nullptr || !look->binding) continue;
+    const std::shared_ptr<const Material> preset = look->binding->missing ? nullptr : look->preset;
+    if (preset || !look->binding->presetPath.empty()) all.push_back({slot, preset, look->binding->presetPath});
+  }
+  if (all.empty()) return;
+  using Presets = std::vector<std::pair<QString, ResolvedMaterial>>;
   run(
-      QStringLiteral("preset/") + slot, tr("Reverting"),
-      [preset = *look->preset, model = m_document.model()](const ResolveOptions& options, Warnings& warnings) {
-        return decodeMaps(preset, model, options, warnings);
+      QStringLiteral("preset/") + slots_.join(QLatin1Char('/')), tr("Reverting"),
+      [all, model = m_document.model()](const ResolveOptions& options, Warnings& warnings) -> Result<Presets> {
+        Presets presets;
+        for (const Wanted& wanted : all) {
+          Result<Material> material =
+              wanted.preset ? Result<Material>(*wanted.preset) : loadPreset(wanted.path, warnings);
+          if (!material) return tl::unexpected(material.error());
+          Result<ResolvedMaterial> decoded = decodeMaps(*material, model, options, warnings);
+          if (!decoded) return tl::unexpected(decoded.error());
+          presets.emplace_back(wanted.slot, std::move(*decoded));
+        }
+        return presets;
       },
-      [this, slot](ResolvedMaterial&& material) { m_document.revertToPreset(slot, material); });
+      [this](Presets&& presets) { m_document.revertToPreset(presets); });
 }
 
 void Loading::setEnvironment(const EnvironmentSource& source) {
@@ -182,66 +164,16 @@ void Loading::setEnvironment(const EnvironmentSource& source) {
         return resolveEnvironment(source, {}, options, warnings);
       },
       [this, source](std::shared_ptr<const EnvironmentImages>&& images) {
-        m_document.setEnvironment(source, std::move(images));
+        // It may have been turned while the file was read.
+        const EnvironmentSource& now = m_document.scene().environment;
+        EnvironmentSource next = source;
+        next.rotationDegrees = now.rotationDegrees;
+        next.exposureStops = now.exposureStops;
+        next.background = now.background;
+        m_document.setEnvironment(next, std::move(images));
         if (!source.path.empty()) Q_EMIT fileUsed(QString::fromStdString(source.path));
         Q_EMIT finished();
       });
-}
-
-void Loading::openAtStart(const std::vector<std::filesystem::path>& files) {
-  std::filesystem::path scenePath, model, environment;
-  std::vector<std::filesystem::path> presets;
-  for (const std::filesystem::path& file : files) {
-    switch (fileKind(file)) {
-      case FileKind::Scene:
-        scenePath = std::filesystem::absolute(file);
-        break;
-      case FileKind::Model:
-        model = std::filesystem::absolute(file);
-        break;
-      case FileKind::Environment:
-      case FileKind::Image:
-        environment = std::filesystem::absolute(file);
-        break;
-      case FileKind::Preset:
-        presets.push_back(file);
-        break;
-      case FileKind::Unknown:
-        Q_EMIT message(
-            MessageKind::Error,
-            tr("%1 is no scene, model, preset or environment by its name").arg(QString::fromStdString(file.string())));
-    }
-  }
-  run(
-      QStringLiteral("scene"), tr("Preparing the scene"),
-      [scenePath, model, environment](const ResolveOptions& given, Warnings& warnings) -> Result<ResolvedScene> {
-        Scene scene = defaultLook();
-        if (!scenePath.empty()) {
-          Result<Scene> loaded = loadScene(scenePath, warnings);
-          if (!loaded) return tl::unexpected(loaded.error());
-          scene = std::move(*loaded);
-        }
-        ResolveOptions options = given;
-        if (!model.empty()) {
-          scene.model = ModelSource{model.string(), {}, {}, std::nullopt};
-          if (scenePath.empty()) scene.materials.clear();
-          scene.camera.reset();
-          options.importedMaterials = true;
-        }
-        if (!environment.empty()) {
-          scene.environment.path = environment.string();
-          scene.environment.builtin.clear();
-          scene.environment.rig.reset();
-        }
-        return resolveScene(scene, scenePath.parent_path(), options, warnings);
-      },
-      [this, scenePath, presets](ResolvedScene&& resolved) {
-        m_document.replace(resolved, scenePath);
-        for (const std::filesystem::path& preset : presets) applyPreset(preset.string(), m_document.currentSlot());
-        Q_EMIT finished();
-      },
-      // Whatever is wrong with the files, there is a picture.
-      [this] { newScene(); });
 }
 
 bool Loading::saveScene(const std::filesystem::path& path) {
@@ -256,17 +188,18 @@ bool Loading::saveScene(const std::filesystem::path& path) {
   return true;
 }
 
-bool Loading::savePreset(const QString& slot, const std::filesystem::path& path) {
+bool Loading::savePreset(const QString& slot, const std::filesystem::path& path, const std::string& name) {
   const SlotLook* look = m_document.slotLook(slot);
   if (look == nullptr) return false;
   const std::filesystem::path file = std::filesystem::absolute(path);
   Material material = look->worn.material;
+  if (!name.empty()) material.name = name;
   if (material.name.empty()) material.name = file.stem().string();
   if (const Result<void> saved = dermis::savePreset(file, material); !saved) {
     Q_EMIT message(MessageKind::Error, QString::fromStdString(saved.error().message));
     return false;
   }
-  m_document.markPresetSaved(slot, file);
+  m_document.markPresetSaved(slot, file, material.name);
   Q_EMIT presetSaved(QString::fromStdString(file.string()));
   Q_EMIT message(MessageKind::Info, tr("Saved %1").arg(QString::fromStdString(file.string())));
   return true;

@@ -28,15 +28,22 @@ class Loading : public QObject {
  public:
   Loading(Document& document, TaskRunner& tasks, QObject* parent = nullptr);
 
+  /// Asked before a scene takes the place of one that was edited while it loaded.
+  void setMayDiscard(std::function<bool()> mayDiscard) { m_mayDiscard = std::move(mayDiscard); }
+
   /// The embedded default look, untitled.
   void newScene();
   void openScene(const std::filesystem::path& path);
   /// Work that never reached a file: the document is modified from the start. `done` follows once it is in place.
   void openUnsaved(const Scene& scene, const std::filesystem::path& path, std::function<void()> done);
+  /// The scene that a picture remembers, untitled; what it names lies beside the picture, if it is still there.
+  void openPictureScene(const std::filesystem::path& picture, const std::string& sceneText);
   void openModel(const ModelSource& source);
-  /// `preset` is a path or "builtin:NAME".
-  void applyPreset(const std::string& preset, const QString& slot);
-  void revertToPreset(const QString& slot);
+  /// `preset` is a path or "builtin:NAME"; one undo entry for all `slots_`.
+  void applyPreset(const std::string& preset, const QStringList& slots_);
+  /// Each slot to its own preset, as one undo entry; those without one are left alone.
+  void revertToPreset(const QStringList& slots_);
+  /// Another source; rotation, exposure and background are the document's.
   void setEnvironment(const EnvironmentSource& source);
   /// Keeps the channel, colour space and so on of what was bound there before.
   void assignTexture(const QStringList& slots_, TextureSlot texture, const std::filesystem::path& path);
@@ -55,10 +62,13 @@ class Loading : public QObject {
   void pasteMaterial(const QStringList& slots_, const Material& material);
   /// What the command line gives: one scene, one model, one environment, presets, in any order.
   void openAtStart(const std::vector<std::filesystem::path>& files);
+  /// Stops all that is under way. Where nothing is open yet, the default look comes up: there is always a picture.
+  void cancel();
 
   /// True when it was written. The sentence of what went wrong goes out as a message.
   bool saveScene(const std::filesystem::path& path);
-  bool savePreset(const QString& slot, const std::filesystem::path& path);
+  /// `name`: what the preset is called from now on; empty: as the slot's material.
+  bool savePreset(const QString& slot, const std::filesystem::path& path, const std::string& name = {});
   bool saveRig(const LightRig& rig, const std::filesystem::path& path);
 
  Q_SIGNALS:
@@ -72,6 +82,8 @@ class Loading : public QObject {
   void mapsMatched(const QString& report);
   /// rereadMap has ended.
   void mapReread(const QString& path, bool good);
+  /// What is open now was made for no window in particular, or its camera for another model: frame it.
+  void framingWanted();
   /// The scene, model or environment asked for is in place.
   void finished();
 
@@ -85,10 +97,15 @@ class Loading : public QObject {
   /// Runs `work(options, warnings)` beside the event loop; `done(value)` follows where it succeeded, else a message.
   template <class Work, class Done>
   void run(const QString& lane, const QString& title, Work work, Done done, std::function<void()> failed = {});
+  /// The same for a whole scene; `done` is not called where somebody keeps what was edited meanwhile.
+  template <class Work, class Done>
+  void runScene(const QString& title, Work work, Done done, std::function<void()> failed);
+  void prepareFirst();
   void tellWarnings(const Warnings& warnings);
 
   Document& m_document;
   TaskRunner& m_tasks;
+  std::function<bool()> m_mayDiscard;
   std::shared_ptr<AssetCache> m_cache = std::make_shared<AssetCache>();
 };
 

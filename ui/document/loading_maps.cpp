@@ -1,6 +1,7 @@
 // Materials and maps that come from elsewhere: pasted, dropped, read again, found again.
 #include <QDir>
 #include <QFileInfo>
+#include <map>
 
 #include "core/base/file_reference.h"
 #include "core/io/udim.h"
@@ -10,6 +11,7 @@
 #include "ui/document/match_report.h"
 #include "ui/document/material_images.h"
 #include "ui/text.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
@@ -18,6 +20,21 @@ namespace {
 std::filesystem::path setOrFile(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::absolute(path);
   return udimSetOf(file).value_or(file);
+}
+
+/// `now` with those fields that an edit of `before` has changed: the others may have been edited since.
+TextureBinding onlyWhatChanged(const TextureBinding& before, const TextureBinding& edited, TextureBinding now) {
+  const auto take = [&](auto TextureBinding::*field) {
+    if (!(edited.*field == before.*field)) now.*field = edited.*field;
+  };
+  take(&TextureBinding::path);
+  take(&TextureBinding::colorSpace);
+  take(&TextureBinding::channel);
+  take(&TextureBinding::invert);
+  take(&TextureBinding::flipGreen);
+  take(&TextureBinding::scale);
+  take(&TextureBinding::uvScale);
+  return now;
 }
 
 /// Whether a map could be read from there: a file, or a set with a tile.
@@ -48,7 +65,7 @@ void Loading::assignTexture(const QStringList& slots_, TextureSlot texture, cons
   }
   bindMaps(
       std::move(edits),
-      tr("Assign %1 map to %2").arg(text(textureSlotRow(texture).label).toLower(), slots_.join(QStringLiteral(", "))));
+      tr("Assign %1 map to %2").arg(tableText(textureSlotRow(texture).label).toLower(), slots_.join(QStringLiteral(", "))));
 }
 
 void Loading::bindMaps(std::vector<TextureEdit> edits, const QString& text) {
@@ -56,6 +73,12 @@ void Loading::bindMaps(std::vector<TextureEdit> edits, const QString& text) {
   QString lane = QStringLiteral("maps");
   for (const TextureEdit& edit : edits)
     lane += QStringLiteral("/%1/%2").arg(edit.slot, dermis::text(textureSlotRow(edit.texture).id));
+  const auto boundNow = [this](const TextureEdit& edit) {
+    const SlotLook* look = m_document.slotLook(edit.slot);
+    return look == nullptr ? TextureBinding{} : look->worn.material.texture(edit.texture);
+  };
+  std::map<std::pair<QString, TextureSlot>, TextureBinding> before;
+  for (const TextureEdit& edit : edits) before[{edit.slot, edit.texture}] = boundNow(edit);
   run(
       lane, tr("Loading maps"),
       [edits = std::move(edits)](const ResolveOptions& options,
@@ -76,7 +99,9 @@ void Loading::bindMaps(std::vector<TextureEdit> edits, const QString& text) {
         if (read.empty()) return tl::unexpected(*first);
         return read;
       },
-      [this, text](std::vector<TextureEdit>&& read) {
+      [this, text, boundNow, before = std::move(before)](std::vector<TextureEdit>&& read) {
+        for (TextureEdit& edit : read)
+          edit.binding = onlyWhatChanged(before.at({edit.slot, edit.texture}), edit.binding, boundNow(edit));
         m_document.setTextures(read, text);
         Q_EMIT finished();
       });

@@ -28,7 +28,7 @@ void Loading::run(const QString& lane, const QString& title, Work work, Done don
         Result<Value> result = work(options, warnings);
         return Outcome<Value>{std::move(result), std::move(warnings)};
       },
-      [this, done = std::move(done), failed = std::move(failed)](Outcome<Value> outcome) mutable {
+      [this, done = std::move(done), failed](Outcome<Value> outcome) mutable {
         tellWarnings(outcome.warnings);
         if (!outcome.result) {
           if (outcome.result.error().kind != Error::Kind::Cancelled)
@@ -37,7 +37,8 @@ void Loading::run(const QString& lane, const QString& title, Work work, Done don
           return;
         }
         done(std::move(*outcome.result));
-      });
+      },
+      failed);
 }
 
 }  // namespace dermis

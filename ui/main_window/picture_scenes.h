@@ -6,31 +6,23 @@
 #include <functional>
 #include <string>
 
-#include "ui/document/loading.h"
-
 class QWidget;
 
 namespace dermis {
 
-class Document;
+class Loading;
 class TaskRunner;
 
 class PictureScenes : public QObject {
   Q_OBJECT
  public:
-  PictureScenes(Document& document, TaskRunner& tasks, QWidget& window);
+  PictureScenes(Loading& loading, TaskRunner& tasks, QWidget& window);
   /// Asks where the picture at `path` holds a scene; `otherwise` is called where it holds none, or where the person
   /// would rather use it as a picture. `mayDiscard` is asked before the document is replaced.
   void offer(const std::filesystem::path& path, std::function<bool()> mayDiscard, std::function<void()> otherwise);
-  /// The same without asking.
-  void open(const std::filesystem::path& path, const std::string& scene);
-
- Q_SIGNALS:
-  void message(dermis::MessageKind kind, const QString& sentence);
-  void finished();
 
  private:
-  Document& m_document;
+  Loading& m_loading;
   TaskRunner& m_tasks;
   QWidget& m_window;
 };

@@ -1,5 +1,8 @@
 #include "ui/viewport/camera_history.h"
 
+#include <utility>
+
+#include "ui/document/carry_over.h"
 #include "ui/document/document.h"
 #include "ui/viewport/viewport.h"
 
@@ -15,11 +18,17 @@ CameraHistory::CameraHistory(Document& document, Viewport& viewport) : QObject(&
   connect(&m_pause, &QTimer::timeout, this, &CameraHistory::note);
   connect(&viewport, &Viewport::cameraGestureEnded, &m_pause, qOverload<>(&QTimer::start));
   connect(&m_document, &Document::changed, this, [this](Change what) {
+    if (what != Change::Everything) return;
+    const std::shared_ptr<const Model> before = std::exchange(m_model, m_document.model());
     // Another scene: the way back leads nowhere. Its first camera is known once whoever frames it has done so.
-    if (what == Change::Everything && m_document.undoStack().count() == 0) {
+    if (m_document.undoStack().count() == 0) {
       m_places.clear();
       m_place = -1;
       m_pause.start();
+    } else if (before && m_model && before != m_model) {
+      // Another model in the same scene: the places come along as lights and camera do, and back again with an undo.
+      const CarriedOver place(*before, *m_model);
+      for (Camera& camera : m_places) camera = place(camera);
     }
   });
 }

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QObject>
 #include <QTimer>
+#include <memory>
 
 #include "core/scene/scene.h"
 
@@ -11,6 +12,7 @@ namespace dermis {
 
 class Document;
 class Viewport;
+struct Model;
 
 class CameraHistory : public QObject {
   Q_OBJECT
@@ -30,6 +32,7 @@ class CameraHistory : public QObject {
   void go(qsizetype place);
 
   Document& m_document;
+  std::shared_ptr<const Model> m_model;  ///< beside which the places are
   QList<Camera> m_places;
   qsizetype m_place = -1;
   QTimer m_pause;  ///< wheel ticks that follow each other are one move
