@@ -12,12 +12,24 @@
 #include "ui/document/document.h"
 #include "ui/jobs/task_runner.h"
 #include "ui/text.h"
+#include "ui/translation.h"
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
+namespace {
+
+const QString kLane = QStringLiteral("picture");
+
+QString nameOf(const PictureRequest& request) {
+  return request.path.empty() ? Exports::tr("A picture") : pathText(request.path.filename());
+}
+
+}  // namespace
 
 Exports::Exports(Document& document, TaskRunner& tasks, QWidget& window)
-    : QObject(&window), m_document(document), m_tasks(tasks), m_window(window) {}
+    : QObject(&window), m_document(document), m_tasks(tasks), m_window(window) {
+  connect(&m_tasks, &TaskRunner::activityChanged, this, &Exports::startNext);
+}
 
 void Exports::ask(const Viewport& viewport) {
   if (!m_document.isReady()) return;
@@ -34,7 +46,8 @@ std::vector<NamedView> Exports::sheetViews() const {
   if (!m_document.isReady()) return views;
   for (const char* name : {"front", "three-quarter", "profile", "ear"})
     for (const NamedCameraRow& row : namedCameras())
-      if (row.id == name) views.push_back({std::string(row.label), *namedCamera(name, m_document.model()->bounds)});
+      if (row.id == name)
+        views.push_back({tableText(row.label).toStdString(), *namedCamera(name, m_document.model()->bounds)});
   for (const CameraBookmark& bookmark : m_document.scene().bookmarks) views.push_back({bookmark.name, bookmark.camera});
   return views;
 }
@@ -45,16 +58,25 @@ void Exports::draw(const PictureRequest& given) {
   PictureRequest request = given;
   request.sceneFolder = m_document.path().parent_path();
   if (request.kind == PictureKind::Sheet && request.views.empty()) request.views = sheetViews();
+  if (m_tasks.busy(kLane))
+    Q_EMIT message(MessageKind::Info, tr("%1 follows when the picture before it is done").arg(nameOf(request)));
+  m_waiting.push_back({std::move(request), scene});
+  startNext();
+}
+
+void Exports::startNext() {
+  if (m_waiting.empty() || m_tasks.busy(kLane)) return;
+  const auto [request, scene] = std::move(m_waiting.front());
+  m_waiting.pop_front();
   auto surface = std::make_shared<QOffscreenSurface>();
   surface->setFormat(QSurfaceFormat::defaultFormat());
   surface->create();
-  const QString name = request.path.empty() ? tr("a picture") : pathText(request.path.filename());
   const std::filesystem::path cache =
       toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
   Q_EMIT progressed(0.0);
   m_tasks.run(
-      QStringLiteral("picture"), tr("Drawing %1").arg(name),
-      [this, surface, scene, request, cache, metadata = m_metadata](std::stop_token stop) {
+      kLane, tr("Drawing %1").arg(nameOf(request)),
+      [this, surface, scene = scene, request = request, cache, metadata = m_metadata](std::stop_token stop) {
         const auto progress = [this](double fraction) {
           QMetaObject::invokeMethod(
               this, [this, fraction] { Q_EMIT progressed(fraction); }, Qt::QueuedConnection);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QObject>
+#include <deque>
+#include <memory>
 
 #include "ui/document/loading.h"
 #include "ui/jobs/picture_job.h"
@@ -21,7 +23,10 @@ class Exports : public QObject {
   void setMetadata(PictureMetadata metadata) { m_metadata = std::move(metadata); }
   /// The dialog; the viewport gives size and what is switched on in it.
   void ask(const Viewport& viewport);
+  /// The document as it is now; where another picture is being drawn, after that one.
   void draw(const PictureRequest& request);
+  /// Those that wait are not drawn; the one under way is the runner's to cancel.
+  void forgetWaiting() { m_waiting.clear(); }
   /// The views of a sheet: the ready-made ones and the scene's bookmarks.
   [[nodiscard]] std::vector<NamedView> sheetViews() const;
 
@@ -31,6 +36,13 @@ class Exports : public QObject {
   void progressed(double fraction);
 
  private:
+  struct Waiting {
+    PictureRequest request;
+    std::shared_ptr<const ResolvedScene> scene;
+  };
+  void startNext();
+
+  std::deque<Waiting> m_waiting;
   Document& m_document;
   TaskRunner& m_tasks;
   QWidget& m_window;
