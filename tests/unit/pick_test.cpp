@@ -69,7 +69,9 @@ TEST(Pick, OfSeveralPartsTheNearestIsMetWithItsSlot) {
   const auto third = static_cast<std::uint32_t>(model.indices.size() / 9 * 3);
   const auto all = static_cast<std::uint32_t>(model.indices.size());
   model.slots.resize(3);
-  model.parts = {ModelPart{0, third, 2}, ModelPart{third, 0, 1}, ModelPart{third, all - third, 0}};
+  model.parts = {{.slot = 2, .firstIndex = 0, .indexCount = third},
+                 {.slot = 1, .firstIndex = third, .indexCount = 0},
+                 {.slot = 0, .firstIndex = third, .indexCount = all - third}};
   const SurfacePicker picker = pickerOf(model);
   std::mt19937 random(7);
   std::uniform_real_distribution<float> anywhere(-1.5F, 1.5F);

@@ -8,6 +8,7 @@
 #include "core/scene/cameras.h"
 #include "ui/docks/bookmarks_box.h"
 #include "ui/docks/labelled.h"
+#include "ui/docks/row_help.h"
 #include "ui/document/document.h"
 #include "ui/rows/choice_editors.h"
 #include "ui/rows/group_box.h"
@@ -15,9 +16,18 @@
 #include "ui/rows/scalar_editor.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
+#include "ui/translation.h"
 #include "ui/viewport/view_modes.h"
 
 namespace dermis {
+namespace {
+
+/// What the field of view shows at the target, in scene units.
+float heightAtTarget(const Camera& camera) {
+  return 2.0F * glm::length(camera.position - camera.target) * std::tan(0.5F * glm::radians(camera.verticalFovDegrees));
+}
+
+}  // namespace
 
 CameraPanel::CameraPanel(Document& document, QWidget* parent) : Panel(parent), m_document(document) {
   buildDisplay();
@@ -36,20 +46,20 @@ void CameraPanel::buildLens() {
       new PropertyRow(tr("Lens"), tr("Orthographic"), QStringLiteral("camera.orthographic"), new SwitchEditor, group);
   m_fov = new PropertyRow(tr("Lens"), tr("Field of view"), QStringLiteral("camera.vertical_fov_degrees"),
                           new ScalarEditor(NumberRange{1, 150, 5, 90, QStringLiteral("°")}), group);
-  m_fov->setDefault(ParameterValue(26.0F));
-  m_fov->setHelp(tr("Vertical angle of view"));
+  m_orthographic->setDefault(ParameterValue(false));
+  setRowHelp(*m_orthographic, tr("Without perspective: what is farther away is no smaller"));
+  m_fov->setDefault(ParameterValue(Camera{}.verticalFovDegrees));
+  setRowHelp(*m_fov, tr("Vertical angle of view"));
   m_height = new PropertyRow(tr("Lens"), tr("Height"), QStringLiteral("camera.orthographic_height"),
                              new ScalarEditor(NumberRange{1e-4, 1e5, 0.1, 10, QStringLiteral("u")}), group);
-  m_height->setHelp(tr("Height of the picture in scene units"));
+  setRowHelp(*m_height, tr("Height of what the picture shows, in scene units"));
   for (PropertyRow* row : {m_orthographic, m_fov, m_height}) group->addRow(row);
 
   connect(m_orthographic, &PropertyRow::edited, this, [this](const ParameterValue& value, Gesture gesture) {
     const Camera& camera = m_document.camera();
     Lens lens{camera.verticalFovDegrees, std::nullopt};
     // The target keeps its size when the projection changes.
-    if (std::get<bool>(value))
-      lens.orthographicHeight = 2.0F * glm::length(camera.position - camera.target) *
-                                std::tan(0.5F * glm::radians(camera.verticalFovDegrees));
+    if (std::get<bool>(value)) lens.orthographicHeight = heightAtTarget(camera);
     m_document.setLens(lens, gesture);
   });
   connect(m_fov, &PropertyRow::edited, this, [this](const ParameterValue& value, Gesture gesture) {
@@ -68,9 +78,9 @@ void CameraPanel::buildViews() {
   grid->setSpacing(metrics::kRowSpacing);
   int index = 0;
   for (const NamedCameraRow& row : namedCameras()) {
-    auto* button = new QPushButton(text(row.label), holder);
+    auto* button = new QPushButton(tableText(row.label), holder);
     button->setObjectName(QStringLiteral("view.") + text(row.id));
-    button->setAccessibleName(tr("View %1").arg(text(row.label)));
+    button->setAccessibleName(tr("View %1").arg(tableText(row.label)));
     grid->addWidget(button, index / 2, index % 2);
     ++index;
     connect(button, &QPushButton::clicked, this, [this, id = text(row.id)] { Q_EMIT viewRequested(id); });
@@ -106,7 +116,7 @@ void CameraPanel::buildDisplay() {
   m_exposure = new PropertyRow(tr("Display"), tr("Exposure"), QStringLiteral("view.exposure_stops"),
                                new ScalarEditor(NumberRange{-20, 20, -6, 6, tr("EV")}), group);
   m_exposure->setDefault(ParameterValue(0.0F));
-  m_exposure->setHelp(tr("Stops applied to the picture before the view transform"));
+  setRowHelp(*m_exposure, tr("Stops applied to the picture before the view transform; the light stays as it is"));
   group->addRow(m_exposure);
   m_aov = new QuietComboBox(group);
   m_aov->setObjectName(QStringLiteral("view.aov"));
@@ -160,6 +170,7 @@ void CameraPanel::refresh() {
       static_cast<ScalarEditor*>(m_height->editor())
           ->setNumberRange(NumberRange{1e-4, 1e5, 0.05 * size, 3.0 * size, QStringLiteral("u")});
     }
+    m_height->setDefault(ParameterValue(heightAtTarget(camera)));
     m_height->showValue(ParameterValue(*camera.orthographicHeight));
   }
 }

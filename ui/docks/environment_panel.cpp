@@ -6,6 +6,7 @@
 
 #include "ui/browse/environment_list.h"
 #include "ui/docks/rig_box.h"
+#include "ui/docks/row_help.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/rows/choice_editors.h"
@@ -18,6 +19,10 @@
 #include "ui/theme/metrics.h"
 
 namespace dermis {
+namespace {
+constexpr float kBlur = 0.4F;  // so that a blurred background is seen to be one
+}
+
 EnvironmentPanel::EnvironmentPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent)
     : Panel(parent), m_document(document), m_loading(loading) {
   buildList(preferences);
@@ -40,11 +45,9 @@ void EnvironmentPanel::buildList(Preferences& preferences) {
   strip()->addWidget(choose);
   connect(choose, &QPushButton::clicked, this, &EnvironmentPanel::chooseFileRequested);
   connect(m_list, &EnvironmentList::chosen, this, [this](const QString& builtin, const QString& path) {
-    EnvironmentSource source = m_document.scene().environment;
-    if (source.path == path.toStdString() && (!path.isEmpty() || source.builtin == builtin.toStdString())) return;
-    source.faces = {};
-    source.constant.reset();
-    source.rig.reset();
+    const EnvironmentSource& now = m_document.scene().environment;
+    if (now.path == path.toStdString() && (!path.isEmpty() || now.builtin == builtin.toStdString())) return;
+    EnvironmentSource source;
     source.path = path.toStdString();
     source.builtin = builtin.toStdString();
     m_loading.setEnvironment(source);
@@ -57,11 +60,13 @@ void EnvironmentPanel::buildRows() {
   m_rotation = new PropertyRow(name, tr("Rotation"), QStringLiteral("environment.rotation_degrees"),
                                new ScalarEditor(NumberRange{-36000, 36000, -180, 180, QStringLiteral("°")}), group);
   m_rotation->setDefault(ParameterValue(0.0F));
-  m_rotation->setHelp(
+  setRowHelp(
+      *m_rotation,
       tr("About the vertical axis, counter-clockwise seen from above. Shift + right-drag turns it in the viewport."));
   m_exposure = new PropertyRow(name, tr("Exposure"), QStringLiteral("environment.exposure_stops"),
                                new ScalarEditor(NumberRange{-20, 20, -6, 6, tr("EV")}), group);
   m_exposure->setDefault(ParameterValue(0.0F));
+  setRowHelp(*m_exposure, tr("Stops by which the environment's light is brighter, and what of it is seen behind"));
   group->addRow(m_rotation);
   group->addRow(m_exposure);
   GroupBox* behind = addGroup(tr("Background"), QStringLiteral("environment/background"));
@@ -71,9 +76,17 @@ void EnvironmentPanel::buildRows() {
                                  behind);
   m_blur = new PropertyRow(tr("Background"), tr("Blur"), QStringLiteral("environment.background.roughness"),
                            new ScalarEditor(NumberRange{0, 1, 0, 1, {}}), behind);
-  m_blur->setHelp(tr("Perceptual roughness of the prefiltered environment that is shown"));
+  setRowHelp(*m_blur, tr("Perceptual roughness of the prefiltered environment that is shown"));
   m_color = new PropertyRow(tr("Background"), tr("Colour"), QStringLiteral("environment.background.color"),
                             new ColourEditor(false, NumberRange{}), behind);
+  setRowHelp(
+      *m_background,
+      tr("What is seen behind the model: the environment, its irradiance, the environment blurred, one colour, or "
+         "nothing, which a saved picture keeps as alpha 0. The light is the same"));
+  setRowHelp(*m_color, tr("The one colour behind the model"));
+  m_background->setDefault(ParameterValue(EnumValue{static_cast<int>(Background{}.kind)}));
+  m_blur->setDefault(ParameterValue(kBlur));
+  m_color->setDefault(ParameterValue(Colour{Background{}.color}));
   for (PropertyRow* row : {m_background, m_blur, m_color}) behind->addRow(row);
 
   connect(m_rotation, &PropertyRow::edited, this, [this](const ParameterValue& v, Gesture g) {
@@ -86,7 +99,7 @@ void EnvironmentPanel::buildRows() {
     edit(tr("Background"), g, [&](EnvironmentSource& e) {
       e.background.kind = static_cast<BackgroundKind>(std::get<EnumValue>(v).index);
       if (e.background.kind == BackgroundKind::Prefiltered && e.background.perceptualRoughness <= 0.0F)
-        e.background.perceptualRoughness = 0.4F;
+        e.background.perceptualRoughness = kBlur;
     });
   });
   connect(m_blur, &PropertyRow::edited, this, [this](const ParameterValue& v, Gesture g) {

@@ -22,6 +22,7 @@ class LightsPanel : public Panel {
   explicit LightsPanel(Document& document, QWidget* parent = nullptr);
   void addLight(LightType type);
   void removeSelected();
+  void duplicateSelected();
   /// -1: none.
   void select(int light);
 
@@ -39,15 +40,17 @@ class LightsPanel : public Panel {
   using Applies = std::function<bool(const Light&)>;
   void buildList();
   void buildRows();
-  void addEntry(GroupBox* group, const QString& label, const char* id, ValueEditor* editor, Get get, Set set,
-                Applies applies = {});
+  void addEntry(GroupBox* group, const QString& label, const char* id, const QString& meaning, ValueEditor* editor,
+                Get get, Set set, Applies applies = {});
   void refresh();
   void refreshEditors();
+  void rename(std::size_t index, const QString& name);
   [[nodiscard]] int selected() const;
 
   Document& m_document;
   QListWidget* m_list = nullptr;
   QToolButton* m_add = nullptr;
+  QToolButton* m_duplicate = nullptr;
   QToolButton* m_remove = nullptr;
   std::vector<GroupBox*> m_groups;
   GroupBox* m_shape = nullptr;

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "core/light_rig/rig_gestures.h"
+#include "ui/docks/row_help.h"
 #include "ui/document/rig_edit.h"
 #include "ui/rows/choice_editors.h"
 #include "ui/rows/group_box.h"
@@ -34,18 +35,20 @@ RigBox::RigBox(QWidget* parent) : QWidget(parent) {
   m_elements->setPlaceholderText(tr("Choose a light of the rig"));
   m_group->addRow(m_elements);
   m_on = new PropertyRow(tr("Light rig"), tr("On"), QStringLiteral("rig.enabled"), new SwitchEditor(), m_group);
+  setRowHelp(*m_on, tr("Whether this light of the rig shines"));
   m_group->addRow(m_on);
   m_azimuth = addRow(tr("Azimuth"), "azimuth_degrees", {-36000, 36000, -180, 180, QStringLiteral("°")},
                      [](RigElement e, float v) {
                        e.azimuthDegrees = v;
                        return e;
                      });
-  m_azimuth->setHelp(tr("About the vertical: 0° is the side of the built-in cameras, 90° the subject's left"));
+  setRowHelp(*m_azimuth, tr("About the vertical: 0° is the side of the built-in cameras, 90° the subject's left"));
   m_elevation =
       addRow(tr("Elevation"), "elevation_degrees", {-90, 90, -90, 90, QStringLiteral("°")}, [](RigElement e, float v) {
         e.elevationDegrees = v;
         return e;
       });
+  setRowHelp(*m_elevation, tr("Above the horizon: 90° is overhead, below 0° is under the subject"));
   m_width = addRow(tr("Width"), "width", {0.001, 10000, 0, 10, {}}, [](const RigElement& e, float v) {
     const auto size = sizeOf(e);
     return size ? withSize(e, {v, size->size.y}) : e;
@@ -54,9 +57,13 @@ RigBox::RigBox(QWidget* parent) : QWidget(parent) {
     const auto size = sizeOf(e);
     return size ? withSize(e, {size->size.x, v}) : e;
   });
-  m_width->setHelp(tr("Across, or the diameter of what is round; in metres, or in degrees as the subject sees it"));
+  m_width->setHelp(
+      tr("Across, or the diameter of what is round; in metres, or in degrees as the subject sees it. From 0.001 m or "
+         "0.01° upwards"));
+  m_height->setHelp(tr("Upwards; in metres, or in degrees as the subject sees it. From 0.001 m or 0.01° upwards"));
   m_amount = addRow(tr("Brightness"), "amount", {0, 1e9, 0, 20, {}}, &withAmount);
-  m_amount->setHelp(
+  setRowHelp(
+      *m_amount,
       tr("Radiance of the brightest place, or what the rig's file says instead: irradiance, cd/m² or lux; of a sky, a "
          "factor"));
   m_save = new QPushButton(tr("Save rig as…"), m_group);
@@ -118,6 +125,17 @@ void RigBox::refresh() {
   showElement(rig->elements.at(static_cast<std::size_t>(m_edit->selected())));
 }
 
+void RigBox::showDefaults(const RigElement& before) {
+  m_on->setDefault(ParameterValue(before.enabled));
+  m_azimuth->setDefault(ParameterValue(before.azimuthDegrees));
+  m_elevation->setDefault(ParameterValue(before.elevationDegrees));
+  if (const auto size = sizeOf(before)) {
+    m_width->setDefault(ParameterValue(size->size.x));
+    m_height->setDefault(ParameterValue(size->size.y));
+  }
+  m_amount->setDefault(ParameterValue(amountOf(before)));
+}
+
 void RigBox::showElement(const RigElement& element) {
   const bool placed = hasPlace(element.type);
   const auto size = sizeOf(element);
@@ -126,6 +144,7 @@ void RigBox::showElement(const RigElement& element) {
   m_width->setVisible(size.has_value());
   m_height->setVisible(size && !size->isRound);
   m_amount->setVisible(element.type != RigElementType::Ground);
+  if (const RigElement* before = m_edit->original(static_cast<std::size_t>(m_edit->selected()))) showDefaults(*before);
   m_on->showValue(ParameterValue(element.enabled));
   m_azimuth->showValue(ParameterValue(element.azimuthDegrees));
   m_elevation->showValue(ParameterValue(element.elevationDegrees));

@@ -32,6 +32,8 @@ class RigBox : public QWidget {
   PropertyRow* addRow(const QString& label, const char* id, const NumberRange& range, Change change);
   void refresh();
   void showElement(const RigElement& element);
+  /// What a reset returns to: the element in the rig that this one came from.
+  void showDefaults(const RigElement& before);
 
   RigEdit* m_edit = nullptr;
   GroupBox* m_group = nullptr;

@@ -34,6 +34,13 @@ std::optional<LightRig> rigOf(const EnvironmentSource& source) {
   return std::move(*rig);
 }
 
+/// What a scene's own rig was made of: the built-in one of its name, else itself as it was opened.
+LightRig originOf(const LightRig& own) {
+  for (const BuiltinEnvironmentRow& row : builtinEnvironments())
+    if (auto rig = builtinRig(row.id); rig && rig->name == own.name) return std::move(*rig);
+  return own;
+}
+
 }  // namespace
 
 RigEdit::RigEdit(Document& document, TaskRunner& tasks, QObject* parent)
@@ -44,10 +51,20 @@ RigEdit::RigEdit(Document& document, TaskRunner& tasks, QObject* parent)
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if (what == Change::Everything || what == Change::Environment) follow();
   });
+  // Whoever cancels what is going on cancels this too; the light has to follow the rig all the same.
+  connect(&m_tasks, &TaskRunner::activityChanged, this, [this] {
+    if (m_baking && !m_tasks.busy(QStringLiteral("rig")) && !m_soon.isActive()) m_soon.start();
+  });
   follow();
 }
 
 bool RigEdit::isOwn() const { return static_cast<bool>(m_document.scene().environment.rig); }
+const RigElement* RigEdit::original(std::size_t index) const {
+  if (!m_rig || !m_original || index >= m_rig->elements.size() || index >= m_original->elements.size()) return nullptr;
+  const RigElement& before = m_original->elements[index];
+  return before.type == m_rig->elements[index].type ? &before : nullptr;
+}
+
 float RigEdit::rotationDegrees() const { return m_document.scene().environment.rotationDegrees; }
 
 void RigEdit::follow() {
@@ -59,6 +76,10 @@ void RigEdit::follow() {
   if (!(m_of == now) || !m_rig) {
     m_of = now;
     m_rig = rigOf(now);
+    if (m_rig && !now.rig)
+      m_original = m_rig;
+    else if (m_rig && (!m_original || m_original->name != m_rig->name))
+      m_original = originOf(*m_rig);
     if (m_selected >= 0 && (!m_rig || m_selected >= static_cast<int>(m_rig->elements.size()))) select(-1);
     Q_EMIT changed();
   }

@@ -24,6 +24,8 @@ class RigEdit : public QObject {
 
   /// Null where an image or a constant lights the scene.
   [[nodiscard]] const LightRig* rig() const { return m_rig ? &*m_rig : nullptr; }
+  /// The element as it was in the rig that this one came from; null where it has none.
+  [[nodiscard]] const RigElement* original(std::size_t index) const;
   /// Whether the scene keeps it: nothing else has it.
   [[nodiscard]] bool isOwn() const;
   [[nodiscard]] float rotationDegrees() const;
@@ -51,7 +53,8 @@ class RigEdit : public QObject {
   Document& m_document;
   TaskRunner& m_tasks;
   std::optional<LightRig> m_rig;
-  EnvironmentSource m_of;  ///< what m_rig was read from
+  std::optional<LightRig> m_original;  ///< what it was before it became the scene's own
+  EnvironmentSource m_of;              ///< what m_rig was read from
   /// What the images that have been seen are the light of.
   std::map<std::weak_ptr<const EnvironmentImages>, EnvironmentSource, std::owner_less<>> m_known;
   bool m_dragging = false, m_baking = false, m_bakingCoarse = false;
