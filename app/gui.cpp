@@ -110,6 +110,7 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
   format.setProfile(QSurfaceFormat::CoreProfile);
   format.setDepthBufferSize(0);
   format.setSwapInterval(1);
+  format.setOption(QSurfaceFormat::ResetNotification);  // a driver that was reset says so, and the picture is made anew
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setOrganizationName(QStringLiteral("Dermis"));
   QApplication::setApplicationName(QStringLiteral("dermis"));

@@ -98,6 +98,11 @@ TEST(Pace, DrawsSmallerOnSlowMachinesAndWholeOnFastOnes) {
   Pace fast;
   for (int i = 0; i < 20; ++i) fast.measured(10.0);
   EXPECT_EQ(fast.scale(), 1.0);
+  // A driver that should be fast and is not is helped as well.
+  Pace weak(true);
+  EXPECT_EQ(weak.scale(), 1.0);
+  for (int i = 0; i < 20; ++i) weak.measured(200.0 * weak.scale() * weak.scale());
+  EXPECT_LE(weak.scale(), 0.625);
 }
 
 TEST(Navigation, OrbitStopsShortOfThePoles) {

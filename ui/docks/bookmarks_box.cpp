@@ -1,5 +1,6 @@
 #include "ui/docks/bookmarks_box.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -8,6 +9,7 @@
 
 #include "ui/docks/panel.h"
 #include "ui/document/document.h"
+#include "ui/preferences/list_keys.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
@@ -23,7 +25,11 @@ BookmarksBox::BookmarksBox(Document& document, QWidget* parent) : QWidget(parent
   m_list->setAccessibleName(tr("Camera bookmarks"));
   m_list->setToolTip(tr("Click looks from there, double-click renames"));
   m_list->setFixedHeight(92);
-  m_list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  m_list->setEditTriggers(QAbstractItemView::DoubleClicked);
+  connect(renameKey(m_list), &QAction::triggered, this, [this] {
+    if (QListWidgetItem* item = m_list->currentItem()) m_list->editItem(item);
+  });
+  connect(removeKey(m_list), &QAction::triggered, this, &BookmarksBox::removeSelected);
   column->addWidget(m_list);
   auto* line = new QHBoxLayout();
   m_add = new QToolButton(this);

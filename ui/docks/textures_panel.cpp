@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -14,7 +15,9 @@
 #include "ui/document/map_watcher.h"
 #include "ui/document/maps_read.h"
 #include "ui/text.h"
+#include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
+#include "ui/translation.h"
 
 namespace dermis {
 
@@ -24,7 +27,16 @@ TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* pare
   m_title = new QLabel(this);
   m_title->setProperty("quiet", true);
   m_title->setToolTip(tr("Drop a folder anywhere here: its files find their maps by name, such as head_albedo.png"));
-  strip()->addWidget(m_title);
+  m_title->setWordWrap(true);
+  auto* folder = new QPushButton(themeIcon("open"), tr("Folder…"), this);
+  folder->setObjectName(QStringLiteral("textures.folder"));
+  folder->setAccessibleName(tr("Choose a folder of maps"));
+  folder->setToolTip(tr("Choose a folder: its files find their maps by name, such as head_albedo.png"));
+  connect(folder, &QPushButton::clicked, this, &TexturesPanel::chooseFolder);
+  auto* top = new QHBoxLayout();
+  top->addWidget(m_title, 1);
+  top->addWidget(folder, 0, Qt::AlignTop);
+  strip()->addLayout(top);
   m_report = new QWidget(this);
   auto* reportRow = new QHBoxLayout(m_report);
   reportRow->setContentsMargins(0, 0, 0, 0);
@@ -75,7 +87,7 @@ void TexturesPanel::connectRow(TextureRow* row, TextureSlot slot) {
     std::vector<TextureEdit> edits;
     for (const QString& name : m_document.editedSlots()) edits.push_back({name, slot, TextureBinding{}, nullptr});
     m_document.setTextures(edits, tr("Clear %1 map of %2")
-                                      .arg(text(textureSlotRow(slot).label).toLower(),
+                                      .arg(tableText(textureSlotRow(slot).label).toLower(),
                                            m_document.editedSlots().join(QStringLiteral(", "))));
   });
   connect(row, &TextureRow::reloadRequested, this, [this, slot] {
@@ -98,7 +110,7 @@ void TexturesPanel::changeBinding(TextureSlot slot, const BindingChange& change,
   m_document.setTextures(
       edits,
       tr("Change %1 map of %2")
-          .arg(text(textureSlotRow(slot).label).toLower(), m_document.editedSlots().join(QStringLiteral(", "))),
+          .arg(tableText(textureSlotRow(slot).label).toLower(), m_document.editedSlots().join(QStringLiteral(", "))),
       gesture);
 }
 
@@ -122,11 +134,19 @@ void TexturesPanel::assign(TextureSlot slot, const QString& path) {
 void TexturesPanel::choose(TextureSlot slot) {
   const QString folder = QSettings().value(QStringLiteral("folders/textures")).toString();
   const QString path =
-      QFileDialog::getOpenFileName(this, tr("Choose the %1 map").arg(text(textureSlotRow(slot).label).toLower()),
+      QFileDialog::getOpenFileName(this, tr("Choose the %1 map").arg(tableText(textureSlotRow(slot).label).toLower()),
                                    folder, tr("Images (%1);;All files (*)").arg(namePatterns(FileKind::Image)));
   if (path.isEmpty()) return;
   QSettings().setValue(QStringLiteral("folders/textures"), QFileInfo(path).path());
   assign(slot, path);
+}
+
+void TexturesPanel::chooseFolder() {
+  const QString last = QSettings().value(QStringLiteral("folders/textures")).toString();
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a folder of maps"), last);
+  if (folder.isEmpty()) return;
+  QSettings().setValue(QStringLiteral("folders/textures"), folder);
+  take(std::nullopt, {folder});
 }
 
 void TexturesPanel::askWhere(TextureSlot slot) {

@@ -22,6 +22,8 @@ class TexturesPanel : public Panel {
   TexturesPanel(Document& document, Loading& loading, QWidget* parent = nullptr);
   /// Files dropped on a map's row, or (unset) on the panel: one file for one map; else all find theirs by name.
   void take(std::optional<TextureSlot> slot, const QStringList& paths);
+  /// Asks for a folder whose files find their maps by name.
+  void chooseFolder();
   /// The missing map of the current slot is in that file now.
   void locate(TextureSlot slot, const QString& path);
 

@@ -10,6 +10,7 @@
 #include "ui/docks/lights_panel.h"
 #include "ui/docks/material_clipboard.h"
 #include "ui/docks/material_panel.h"
+#include "ui/docks/textures_panel.h"
 #include "ui/main_window/dock_layout.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/main_window.h"
@@ -18,6 +19,7 @@
 #include "ui/main_window/view_tools.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
+#include "ui/translation.h"
 #include "ui/viewport/hold_key.h"
 #include "ui/viewport/view_modes.h"
 #include "ui/viewport/viewport.h"
@@ -63,6 +65,8 @@ void MainWindow::buildFileMenu() {
   add(menu, QStringLiteral("file.modelUnit"), nullptr, tr("Model &unit…"), {}, this, [this] { m_unit->ask(); });
   add(menu, QStringLiteral("file.environment"), "environment", tr("Choose &environment…"),
       QKeySequence(QStringLiteral("Ctrl+E")), this, [this] { m_files->chooseEnvironment(); });
+  add(menu, QStringLiteral("file.maps"), nullptr, tr("Choose a &folder of maps…"), {}, this,
+      [this] { m_textures->chooseFolder(); });
   menu->addSeparator();
   add(menu, QStringLiteral("file.save"), "save", tr("&Save scene"), QKeySequence::Save, this,
       [this] { m_files->save(); });
@@ -96,7 +100,7 @@ void MainWindow::buildEditMenu() {
   add(menu, QStringLiteral("edit.find"), "search", tr("&Find parameter"), QKeySequence::Find, this,
       [this] { m_material->focusSearch(); });
   add(menu, QStringLiteral("edit.revert"), "reset", tr("Re&vert material to its preset"), {}, this,
-      [this] { m_loading.revertToPreset(m_document.currentSlot()); });
+      [this] { m_loading.revertToPreset(m_document.editedSlots()); });
   m_program->fillEditMenu(menu);
 }
 
@@ -111,7 +115,7 @@ void MainWindow::buildViewMenu() {
                                           QStringLiteral("bottom-right"), QStringLiteral("bottom-left")};
     const QString id = text(row.id);
     const qsizetype number = kNumbered.indexOf(id) + 1;
-    add(views, QStringLiteral("view.camera.") + id, nullptr, text(row.label),
+    add(views, QStringLiteral("view.camera.") + id, nullptr, tableText(row.label),
         number > 0 ? QKeySequence(QString::number(number)) : QKeySequence(), this,
         [this, id] { m_viewport->showNamedView(id); });
   }
@@ -152,11 +156,18 @@ void MainWindow::buildViewModes(QMenu* menu) {
   add(menu, QStringLiteral("view.previous"), nullptr, tr("Pre&vious of these"), QKeySequence(Qt::SHIFT | Qt::Key_B),
       this, [step] { step(-1); });
   // The key shows it while it is held; the entry keeps it, for hands that can't hold one.
-  QAction* without = add(menu, QStringLiteral("view.withoutSubsurface"), nullptr,
-                         tr("&Without subsurface") + QLatin1Char('\t') + tr("hold N"), {}, this,
+  QAction* without = add(menu, QStringLiteral("view.withoutSubsurface"), nullptr, tr("&Without subsurface"), {}, this,
                          [this](bool on) { m_viewport->setWithoutSubsurface(on); });
   without->setCheckable(true);
-  auto* hold = new HoldKey(Qt::Key_N, *this);
+  auto* hold = new HoldKey(QStringLiteral("view.seeWithoutSubsurface"), tr("See without subsurface"),
+                           QKeySequence(Qt::Key_N), *this);
+  const auto name = [hold, without] {
+    const QString key = hold->key().toString(QKeySequence::NativeText);
+    without->setText(key.isEmpty() ? tr("&Without subsurface")
+                                   : tr("&Without subsurface") + QLatin1Char('\t') + tr("hold %1").arg(key));
+  };
+  connect(hold, &HoldKey::keyChanged, without, name);
+  name();
   connect(hold, &HoldKey::held, this,
           [this, without](bool down) { m_viewport->setWithoutSubsurface(down != without->isChecked()); });
 }
@@ -214,6 +225,8 @@ void MainWindow::buildWindowMenu() {
   menu->addSeparator();
   add(menu, QStringLiteral("window.toggleAll"), nullptr, tr("&Hide or show all panels"),
       QKeySequence(QStringLiteral("Ctrl+Tab")), this, [this] { m_docks->toggleAll(); });
+  add(menu, QStringLiteral("window.float"), nullptr, tr("&Float or dock the panel in use"),
+      QKeySequence(QStringLiteral("Ctrl+Shift+D")), this, [this] { m_docks->toggleFloating(); });
   m_program->fillWindowMenu(menu);
   add(menu, QStringLiteral("window.reset"), nullptr, tr("&Reset layout"), {}, this, [this] { m_docks->reset(); });
 }

@@ -24,8 +24,6 @@ namespace dermis {
 
 ProgramActions::ProgramActions(const Parts& parts) : QObject(&parts.window), m_parts(parts) {
   m_layouts = new Layouts(parts.docks, &parts.window);
-  m_shortcuts.reserve(QKeySequence(Qt::Key_N), tr("Without subsurface, while it is held"));
-  m_shortcuts.reserve(QKeySequence(Qt::Key_L), tr("Moving the key light, while it is held"));
   connect(&m_parts.preferences, &Preferences::changed, this, &ProgramActions::apply);
 }
 
@@ -63,6 +61,7 @@ void ProgramActions::fillHelpMenu(QMenu* menu) {
 
 void ProgramActions::finish() {
   m_shortcuts.collect(m_parts.window.menuBar());
+  m_shortcuts.collectLoose(m_parts.window);
   apply();
 }
 

@@ -22,11 +22,13 @@
 #include "ui/document/material_images.h"
 #include "ui/document/rig_edit.h"
 #include "ui/jobs/task_runner.h"
+#include "ui/main_window/camera_menu.h"
 #include "ui/main_window/dock_layout.h"
 #include "ui/snapshots/snapshots.h"
 #include "ui/snapshots/snapshots_panel.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
+#include "ui/translation.h"
 #include "ui/viewport/camera_history.h"
 #include "ui/viewport/hold_key.h"
 #include "ui/viewport/light_gizmos.h"
@@ -35,6 +37,9 @@
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
+namespace {
+constexpr double kSplitStep = 0.02;
+}
 
 ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, QWidget& window)
     : QObject(&window),
@@ -53,7 +58,8 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
   m_history = new CameraHistory(document, viewport);
   m_snapshots = new Snapshots(document, this);
   connect(m_snapshots, &Snapshots::changed, this, &ViewTools::followSnapshots);
-  m_keyLight = new HoldKey(Qt::Key_L, window);
+  m_keyLight = new HoldKey(QStringLiteral("light.moveKeyLight"), tr("Move the key light with the pointer"),
+                           QKeySequence(Qt::Key_L), window);
   connect(m_keyLight, &HoldKey::held, m_gizmos, &LightGizmos::holdKeyLight);
   connect(m_gizmos, &LightGizmos::message, this,
           [this](const QString& sentence) { Q_EMIT message(MessageKind::Info, sentence); });
@@ -71,7 +77,9 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
     if (keys == Qt::ControlModifier) m_readout->pin(at);
   });
   connect(&viewport, &Viewport::comparisonChanged, this, [this] {
-    if (m_viewport.compared() == nullptr && m_strip != nullptr) m_strip->showCompared(-1);
+    if (m_viewport.compared() != nullptr) return;
+    m_left = m_right = {};
+    if (m_strip != nullptr) m_strip->showCompared(-1);
   });
 }
 
@@ -115,6 +123,7 @@ QAction* ViewTools::addSwitch(QMenu* menu, const QString& label, const char* nam
 
 void ViewTools::fillViewMenu(QMenu* menu) {
   menu->addSeparator();
+  fillCameraMenu(menu->addMenu(tr("Mov&e the camera")), m_document, m_viewport);
   fillBookmarksMenu(menu->addMenu(tr("Camera &bookmarks")));
   QAction* back =
       add(menu, tr("Camera bac&k"), "view.back", QKeySequence(Qt::ALT | Qt::Key_Left), [this] { m_history->back(); });
@@ -144,8 +153,15 @@ void ViewTools::fillViewMenu(QMenu* menu) {
     next.chart = on;
     m_viewport.setReferences(next);
   });
-  addSwitch(menu, tr("R&uler"), "view.ruler", QKeySequence(Qt::Key_M), false,
-            [this](bool on) { m_ruler.setEnabled(on); });
+  QAction* ruler = addSwitch(menu, tr("R&uler"), "view.ruler", QKeySequence(Qt::Key_M), false,
+                             [this](bool on) { m_ruler.setEnabled(on); });
+  add(menu, tr("Ruler from or to the middle of the picture"), "view.rulerMiddle", QKeySequence(Qt::SHIFT | Qt::Key_M),
+      [this, ruler] {
+        ruler->setChecked(true);
+        if (!m_ruler.markMiddle())
+          Q_EMIT message(MessageKind::Info, tr("The model is not in the middle of the picture: turn or move the "
+                                               "camera until what is to be measured is."));
+      });
   const bool reads = QSettings().value(QStringLiteral("view/readout"), true).toBool();
   m_readout->setEnabled(reads);
   addSwitch(menu, tr("Pixel &readout"), "view.readout", {}, reads, [this](bool on) {
@@ -207,9 +223,12 @@ void ViewTools::takeSnapshot() {
     window->resizeDocks({dock}, {dock->minimumSizeHint().height()}, Qt::Vertical);
 }
 
-void ViewTools::compare(const std::shared_ptr<const ResolvedScene>& scene, const QString& name) {
-  m_split.setNames(tr("Now"), name);
-  m_viewport.compareWith(scene);
+void ViewTools::compare(Side side, const std::shared_ptr<const ResolvedScene>& scene, const QString& name) {
+  (side == Side::Left ? m_left : m_right) = {scene, name};
+  // Something stands on the right of it.
+  if (!m_right.scene) m_right = {m_document.snapshot(), tr("Now")};
+  m_split.setNames(m_left.scene ? m_left.name : tr("Now"), m_right.name);
+  m_viewport.compareWith(m_right.scene, m_left.scene);
 }
 
 void ViewTools::compareWithSnapshot(int index) {
@@ -219,7 +238,7 @@ void ViewTools::compareWithSnapshot(int index) {
     return;
   }
   const Snapshot& snapshot = all[static_cast<std::size_t>(index)];
-  compare(snapshot.scene, snapshot.name);
+  compare(Side::Right, snapshot.scene, snapshot.name);
   m_strip->showCompared(index);
 }
 
@@ -230,7 +249,7 @@ void ViewTools::followSnapshots() {
   compareWithSnapshot(found == all.end() ? -1 : static_cast<int>(found - all.begin()));
 }
 
-void ViewTools::compareWithPreset(const std::string& preset) {
+void ViewTools::compareWithPreset(const std::string& preset, Side side) {
   const std::shared_ptr<const ResolvedScene> now = m_document.snapshot();
   const qsizetype slot = m_document.slotNames().indexOf(m_document.currentSlot());
   if (!now || slot < 0) return;
@@ -244,7 +263,7 @@ void ViewTools::compareWithPreset(const std::string& preset) {
         options.stop = stop;
         return decodeMaps(*material, nullptr, options, warnings);
       },
-      [this, now, slot](const Result<ResolvedMaterial>& material) {
+      [this, now, slot, side](const Result<ResolvedMaterial>& material) {
         if (!material) {
           if (material.error().kind != Error::Kind::Cancelled)
             Q_EMIT message(MessageKind::Error, text(material.error().message));
@@ -252,8 +271,8 @@ void ViewTools::compareWithPreset(const std::string& preset) {
         }
         auto scene = std::make_shared<ResolvedScene>(*now);
         scene->slots.at(static_cast<std::size_t>(slot)) = *material;
-        compare(scene, text(material->material.name));
-        m_strip->showCompared(-1);
+        compare(side, scene, text(material->material.name));
+        if (side == Side::Right) m_strip->showCompared(-1);
       });
 }
 
@@ -264,8 +283,15 @@ void ViewTools::fillCompareMenu(QMenu* menu) {
   });
   QMenu* presets = menu->addMenu(tr("With a &preset on the current slot"));
   for (const BuiltinPreset& row : builtinPresets())
-    add(presets, text(row.name), ("view.comparePreset." + row.id).c_str(), {},
+    add(presets, tableText(row.name), ("view.comparePreset." + row.id).c_str(), {},
         [this, id = row.id] { compareWithPreset("builtin:" + id); });
+  const auto move = [this](double by) {
+    if (m_viewport.compared() != nullptr) m_viewport.setSplit(m_viewport.split() + by);
+  };
+  onPicture(m_viewport, add(menu, tr("Split further &left"), "view.splitLeft", QKeySequence(Qt::CTRL | Qt::Key_Left),
+                            [move] { move(-kSplitStep); }));
+  onPicture(m_viewport, add(menu, tr("Split further &right"), "view.splitRight", QKeySequence(Qt::CTRL | Qt::Key_Right),
+                            [move] { move(kSplitStep); }));
   add(menu, tr("&End comparison"), "view.compareEnd", {}, [this] { m_viewport.compareWith(nullptr); });
 }
 

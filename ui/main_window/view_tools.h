@@ -56,8 +56,10 @@ class ViewTools : public QObject {
   void takeSnapshot();
   /// -1 ends the comparison.
   void compareWithSnapshot(int index);
-  /// The look as it is now, but for the current slot, which wears a preset.
-  void compareWithPreset(const std::string& preset);
+  enum class Side { Left, Right };
+  /// The look as it is now, but for the current slot, which wears a preset. On the left it stands instead of the
+  /// document until the comparison ends.
+  void compareWithPreset(const std::string& preset, Side side = Side::Right);
 
  Q_SIGNALS:
   void message(dermis::MessageKind kind, const QString& sentence);
@@ -71,8 +73,13 @@ class ViewTools : public QObject {
   void fillBookmarksMenu(QMenu* menu);
   /// The snapshot that is compared with has another place in the strip now, or is gone.
   void followSnapshots();
-  void compare(const std::shared_ptr<const ResolvedScene>& scene, const QString& name);
+  void compare(Side side, const std::shared_ptr<const ResolvedScene>& scene, const QString& name);
 
+  struct Compared {
+    std::shared_ptr<const ResolvedScene> scene;
+    QString name;
+  };
+  Compared m_left, m_right;  ///< no scene on the left: the document
   Document& m_document;
   TaskRunner& m_tasks;
   Viewport& m_viewport;

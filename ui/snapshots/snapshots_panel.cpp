@@ -1,5 +1,6 @@
 #include "ui/snapshots/snapshots_panel.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QSignalBlocker>
@@ -7,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/preferences/list_keys.h"
 #include "ui/snapshots/snapshots.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
@@ -52,7 +54,7 @@ SnapshotsPanel::SnapshotsPanel(Snapshots& snapshots, QWidget* parent) : QWidget(
   m_list->setMovement(QListView::Static);
   m_list->setIconSize(QSize(132, 88));
   m_list->setGridSize(QSize(144, 116));
-  m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_list->setMinimumHeight(122);
   row->addLayout(buttons);
   row->addWidget(m_list, 1);
@@ -65,6 +67,10 @@ SnapshotsPanel::SnapshotsPanel(Snapshots& snapshots, QWidget* parent) : QWidget(
   connect(m_remove, &QToolButton::clicked, this, [this] {
     if (selected() >= 0) m_snapshots.remove(static_cast<std::size_t>(selected()));
   });
+  connect(renameKey(m_list), &QAction::triggered, this, [this] {
+    if (QListWidgetItem* item = m_list->currentItem()) m_list->editItem(item);
+  });
+  connect(removeKey(m_list), &QAction::triggered, m_remove, &QToolButton::click);
   connect(m_list, &QListWidget::currentRowChanged, this, [this](int index) {
     if (m_compared >= 0 && index >= 0 && index != m_compared) Q_EMIT compareRequested(index);
     refreshButtons();

@@ -1,12 +1,20 @@
 #include "ui/viewport/hold_key.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QKeyEvent>
 #include <QWidget>
 
+#include "ui/preferences/shortcuts.h"
+
 namespace dermis {
 
-HoldKey::HoldKey(Qt::Key key, QWidget& window) : QObject(&window), m_key(key), m_window(window) {
+HoldKey::HoldKey(const QString& id, const QString& label, const QKeySequence& key, QWidget& window)
+    : QObject(&window), m_action(new QAction(label, this)), m_window(window) {
+  m_action->setObjectName(id);
+  m_action->setShortcut(key);
+  Shortcuts::list(m_action, tr("While a key is held"));
+  connect(m_action, &QAction::changed, this, &HoldKey::keyChanged);
   qApp->installEventFilter(this);
   // A release that goes to another window, or to nobody, is never heard: losing the focus is one.
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
@@ -21,18 +29,20 @@ bool HoldKey::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::KeyPress: {
       const auto* press = static_cast<QKeyEvent*>(event);
-      if (press->key() != m_key || !watched->isWidgetType()) break;
+      if (!watched->isWidgetType()) break;
       // A held key repeats: whoever has the focus need not hear of it.
-      if (m_held) return true;
-      const bool plain = (press->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-      if (!plain || press->isAutoRepeat() || QApplication::activePopupWidget() != nullptr || focusTakesKey()) break;
+      if (m_held && press->key() == m_down) return true;
+      const int pressed = press->key() | static_cast<int>(press->modifiers() & ~Qt::KeypadModifier);
+      if (m_held || key().isEmpty() || key()[0].toCombined() != pressed) break;
+      if (press->isAutoRepeat() || QApplication::activePopupWidget() != nullptr || focusTakes(*press)) break;
       if (static_cast<QWidget*>(watched)->window() != &m_window) break;
+      m_down = press->key();
       set(true);
       return true;
     }
     case QEvent::KeyRelease: {
       const auto* release = static_cast<QKeyEvent*>(event);
-      if (!m_held || release->key() != m_key || release->isAutoRepeat()) break;
+      if (!m_held || release->key() != m_down || release->isAutoRepeat()) break;
       set(false);
       break;
     }
@@ -45,10 +55,12 @@ bool HoldKey::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-bool HoldKey::focusTakesKey() const {
+QKeySequence HoldKey::key() const { return m_action->shortcut(); }
+
+bool HoldKey::focusTakes(const QKeyEvent& press) {
   QWidget* focus = QApplication::focusWidget();
   if (focus == nullptr) return false;
-  QKeyEvent question(QEvent::ShortcutOverride, m_key, Qt::NoModifier, QString(QChar(m_key)).toLower());
+  QKeyEvent question(QEvent::ShortcutOverride, press.key(), press.modifiers(), press.text());
   question.ignore();
   QApplication::sendEvent(focus, &question);
   return question.isAccepted();

@@ -53,19 +53,38 @@ void MeasureTool::cancel() {
   m_viewport.updateOverlay();
 }
 
-void MeasureTool::paint(QPainter& p, const Projection& view) {
-  if (!m_from || !m_to) return;
-  const auto a = view.toScreen(*m_from);
-  const auto b = view.toScreen(*m_to);
-  if (!a || !b) return;
-  p.setRenderHint(QPainter::Antialiasing);
+bool MeasureTool::markMiddle() {
+  const auto at = surfaceAt(QRectF(m_viewport.rect()).center());
+  if (!at) return false;
+  if (m_from && !m_to) {
+    m_to = at;
+  } else {
+    m_from = at;
+    m_to.reset();
+  }
+  m_viewport.updateOverlay();
+  return true;
+}
+
+void MeasureTool::paintLine(QPainter& p, const QPointF& from, const QPointF& to) {
   for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 160), 4.0), std::pair(QColor(240, 240, 240), 1.5)}) {
     p.setPen(QPen(colour, width));
-    p.drawLine(*a, *b);
-    p.drawEllipse(*a, 3.0, 3.0);
-    p.drawEllipse(*b, 3.0, 3.0);
+    p.drawLine(from, to);
+    p.drawEllipse(from, 3.0, 3.0);
+    p.drawEllipse(to, 3.0, 3.0);
   }
-  paintTag(p, *b + QPointF(10.0, 0.0), Qt::AlignRight, words());
+}
+
+void MeasureTool::paint(QPainter& p, const Projection& view) {
+  if (!m_enabled || !m_from) return;
+  const auto a = view.toScreen(*m_from);
+  if (!a) return;
+  p.setRenderHint(QPainter::Antialiasing);
+  // Until it has an end it goes to the middle, where a key would put one.
+  const auto b = m_to ? view.toScreen(*m_to) : std::optional(QRectF(QPointF(), view.size()).center());
+  if (!b) return;
+  paintLine(p, *a, *b);
+  if (m_to) paintTag(p, *b + QPointF(10.0, 0.0), Qt::AlignRight, words());
 }
 
 }  // namespace dermis

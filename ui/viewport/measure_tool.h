@@ -18,6 +18,9 @@ class MeasureTool : public ViewportTool {
   MeasureTool(Document& document, Viewport& viewport) : m_document(document), m_viewport(viewport) {}
   /// While it is on, a drag with the left button measures; turning it off forgets the line.
   void setEnabled(bool enabled);
+  /// Without a pointer: the line starts in the middle of the picture, and at the next call ends there. False where the
+  /// model is not there.
+  bool markMiddle();
   /// In which it says what it has measured.
   void setUnit(LengthUnit unit);
   /// Nothing until two points of the surface are known.
@@ -32,6 +35,7 @@ class MeasureTool : public ViewportTool {
 
  private:
   [[nodiscard]] std::optional<glm::vec3> surfaceAt(QPointF at) const;
+  static void paintLine(QPainter& painter, const QPointF& from, const QPointF& to);
   Document& m_document;
   Viewport& m_viewport;
   bool m_enabled = false;

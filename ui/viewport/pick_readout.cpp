@@ -99,7 +99,7 @@ void PickReadout::pin(const QPointF& at) {
 }
 
 void PickReadout::pinHere() {
-  if (m_at) pin(*m_at);
+  pin(m_at.value_or(QRectF(m_viewport.rect()).center()));
 }
 
 void PickReadout::clearPins() {
@@ -107,10 +107,15 @@ void PickReadout::clearPins() {
   m_viewport.updateOverlay();
 }
 
-bool PickReadout::selectSlot(const QPointF& at) {
+QString PickReadout::slotAt(const QPointF& at) const {
   const auto hit = m_viewport.surfaceAt(at);
-  if (!hit) return false;
-  m_document.setCurrentSlot(QString::fromStdString(m_document.model()->slots[hit->slot].name));
+  return hit ? QString::fromStdString(m_document.model()->slots[hit->slot].name) : QString();
+}
+
+bool PickReadout::selectSlot(const QPointF& at) {
+  const QString slot = slotAt(at);
+  if (slot.isEmpty()) return false;
+  m_document.setCurrentSlot(slot);
   return true;
 }
 

@@ -26,12 +26,14 @@ class PickReadout : public QObject, public ViewportTool {
   [[nodiscard]] bool isEnabled() const { return m_enabled; }
   /// Keeps what is at a point, marked in the picture, and copies it as text.
   void pin(const QPointF& at);
-  /// The same where the pointer is.
+  /// The same where the pointer is, or in the middle when it is elsewhere.
   void pinHere();
   void clearPins();
   [[nodiscard]] qsizetype pinCount() const { return m_pins.size(); }
   /// What is at a point, one line a fact; empty outside of the picture.
   [[nodiscard]] QString textAt(const QPointF& at);
+  /// The slot under a point; empty where there is none.
+  [[nodiscard]] QString slotAt(const QPointF& at) const;
   /// Makes the slot under a point the one that is edited; false where there is none.
   bool selectSlot(const QPointF& at);
 

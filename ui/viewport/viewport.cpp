@@ -9,7 +9,9 @@
 
 #include "ui/document/document.h"
 #include "ui/text.h"
+#include "ui/translation.h"
 #include "ui/viewport/compared_picture.h"
+#include "ui/viewport/fly_keys.h"
 #include "ui/viewport/legend.h"
 #include "ui/viewport/model_picker.h"
 #include "ui/viewport/navigation.h"
@@ -24,6 +26,12 @@ constexpr double kJobSliceMs = 8.0;
 constexpr int kStillAfterMs = 120;       // full resolution within 150 ms of the last change
 constexpr int kRestBeforeStillMs = 500;  // with a button held: slow samples would be in the way of what comes next
 constexpr int kEdge = 10;
+/// What the renderer, which knows no Qt, says that it is doing.
+[[maybe_unused]] constexpr const char* kJobWords[] = {
+    QT_TRANSLATE_NOOP("tables", "Preparing shaders"),
+    QT_TRANSLATE_NOOP("tables", "Sending maps to the graphics driver"),
+    QT_TRANSLATE_NOOP("tables", "Measuring thickness and occlusion"),
+};
 
 }  // namespace
 
@@ -34,6 +42,7 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   setMinimumSize(240, 180);
   setMouseTracking(true);
   m_canvas = new OverlayCanvas([this] { return projection(); }, this);
+  m_flyKeys = new FlyKeys(this);
   m_picker = new ModelPicker(m_document, this);
   connect(m_picker, &ModelPicker::problem, this,
           [this](const QString& sentence) { Q_EMIT message(MessageKind::Warning, sentence); });
@@ -98,6 +107,15 @@ void Viewport::initializeGL() {
     return;
   }
   m_renderer = std::move(*renderer);
+  if (std::exchange(m_contextWasLost, false))
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+          Q_EMIT message(MessageKind::Warning,
+                         tr("The graphics driver was reset and the picture is made anew; the scene has lost nothing."));
+        },
+        Qt::QueuedConnection);
+  m_pace = Pace(!m_renderer->glInfo().software);
   m_drawn.reset();
   m_firstFrame = true;
 }
@@ -112,16 +130,37 @@ RendererOptions Viewport::rendererOptions() const {
 }
 
 void Viewport::releaseRenderer() {
-  if (!m_renderer) return;
-  makeCurrent();
+  if (!m_renderer || !takeContext()) return;
   m_compared.reset();
   m_renderer.reset();
   doneCurrent();
 }
 
+bool Viewport::contextIsLost() const { return context() == nullptr || !context()->isValid(); }
+
+bool Viewport::takeContext() {
+  makeCurrent();
+  if (!contextIsLost()) return true;
+  loseRenderer();
+  return false;
+}
+
+void Viewport::loseRenderer() {
+  // Nothing on the graphics card is left to be given back, and no call reaches it: what was there is let go of as it
+  // is. Qt makes another context and calls initializeGL() where the driver lets it.
+  static_cast<void>(m_compared.release());
+  static_cast<void>(m_renderer.release());
+  m_jobsLeft = false;
+  m_contextWasLost = true;
+  showProblem(
+      tr("The graphics driver was reset. If the picture doesn't come back, save the scene and start Dermis "
+         "again."));
+  Q_EMIT jobProgress(QString(), 0.0);
+}
+
 void Viewport::paintGL() {
   if (!m_renderer) return;
-  const std::shared_ptr<const ResolvedScene> scene = m_document.snapshot();
+  const std::shared_ptr<const ResolvedScene> scene = leftScene();
   if (!scene) return;
   if (scene != m_drawn) {
     m_renderer->setScene(scene);
@@ -161,7 +200,8 @@ FrameRequest Viewport::frameRequest() const {
   request.seconds = static_cast<double>(m_clock.elapsed()) * 1e-3;
   request.framebuffer = defaultFramebufferObject();
   request.references = m_references;
-  if (m_moving && !m_resting && m_renderer->glInfo().software) {
+  // A fast machine draws all pixels anyway: its pace stays at 1.
+  if (m_moving && !m_resting) {
     const double scale = m_pace.scale();
     request.size = {std::max(1, static_cast<int>(request.displaySize.x * scale)),
                     std::max(1, static_cast<int>(request.displaySize.y * scale))};
@@ -207,15 +247,14 @@ void Viewport::scheduleNext() {
 }
 
 void Viewport::continueJobs() {
-  if (!m_renderer) return;
-  makeCurrent();
+  if (!m_renderer || !takeContext()) return;
   m_jobsLeft = m_renderer->runJobs(kJobSliceMs);
   if (m_compared && m_compared->runJobs(kJobSliceMs)) m_jobsLeft = true;
   const auto [what, fraction] = m_renderer->jobProgress();
   // What an earlier job made is shown while another goes on.
   if (m_renderer->drawable() && std::exchange(m_jobText, what) != what) update();
   doneCurrent();
-  Q_EMIT jobProgress(m_jobsLeft ? text(what) : QString(), fraction);
+  Q_EMIT jobProgress(m_jobsLeft ? tableText(what) : QString(), fraction);
   if (m_jobsLeft)
     m_next.start(0);
   else
@@ -223,8 +262,7 @@ void Viewport::continueJobs() {
 }
 
 void Viewport::cancelJobs() {
-  if (!m_renderer) return;
-  makeCurrent();
+  if (!m_renderer || !takeContext()) return;
   m_renderer->cancelJobs();
   doneCurrent();
   m_jobsLeft = false;
@@ -307,7 +345,7 @@ std::optional<GlInfo> Viewport::glInfo() const {
 }
 
 bool Viewport::isSettled() const {
-  return m_renderer && !m_firstFrame && !m_jobsLeft && !m_moving && !m_settling && m_drawn == m_document.snapshot() &&
+  return m_renderer && !m_firstFrame && !m_jobsLeft && !m_moving && !m_settling && m_drawn == leftScene() &&
          !m_renderer->accumulating() &&
          (!m_comparedScene ||
           (m_compared && m_compared->scene() == m_comparedScene.get() && !m_compared->accumulating()));
@@ -327,7 +365,7 @@ void Viewport::refreshStatistics(double milliseconds) {
   const bool last = now.samples >= now.targetSamples;
   if (m_sinceText.isValid() && m_sinceText.elapsed() < 200 && !last) return;
   m_sinceText.start();
-  const QString line = QStringLiteral("%1 fps   %2 ms   %3/%4")
+  const QString line = tr("%1 fps   %2 ms   %3/%4", "pictures a second, time of one, samples of how many")
                            .arg(1000.0 / std::max(m_smoothedMs, 0.1), 0, 'f', m_smoothedMs > 100.0 ? 1 : 0)
                            .arg(m_smoothedMs, 0, 'f', 1)
                            .arg(now.samples)
@@ -358,7 +396,9 @@ void Viewport::placeOverlays() {
 void Viewport::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
   placeOverlays();
-  Q_EMIT pictureResized(QSize(width(), height()) * devicePixelRatioF());
+  tellPixels();
 }
+
+void Viewport::tellPixels() { Q_EMIT pictureResized(QSize(width(), height()) * devicePixelRatioF()); }
 
 }  // namespace dermis

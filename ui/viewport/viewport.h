@@ -3,7 +3,6 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLWidget>
-#include <QSet>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -23,6 +22,7 @@ namespace dermis {
 
 class ComparedPicture;
 class Document;
+class FlyKeys;
 class Legend;
 class ModelPicker;
 class OverlayCanvas;
@@ -38,6 +38,8 @@ class Viewport : public QOpenGLWidget {
 
   void frameAll();
   void showNamedView(const QString& name);
+  /// Somewhere else by a key, which ends a gesture of its own.
+  void goTo(const Camera& camera);
   void setAov(Aov aov);
   [[nodiscard]] Aov aov() const { return m_aov; }
   /// Draws the picture as if no light spread below a surface.
@@ -68,9 +70,12 @@ class Viewport : public QOpenGLWidget {
   void setReferences(const ReferenceObjects& references);
   [[nodiscard]] const ReferenceObjects& references() const { return m_references; }
 
-  /// Shows `scene` right of the split, with this camera; null: no split. The share is the left side's.
-  void compareWith(std::shared_ptr<const ResolvedScene> scene);
+  /// Shows `scene` right of the split, with this camera; null: no split. `left` stands on the other side instead of the
+  /// document; null: the document.
+  void compareWith(std::shared_ptr<const ResolvedScene> scene, std::shared_ptr<const ResolvedScene> left = nullptr);
   [[nodiscard]] const ResolvedScene* compared() const { return m_comparedScene.get(); }
+  [[nodiscard]] const ResolvedScene* comparedLeft() const { return m_leftScene.get(); }
+  /// The share is the left side's.
   void setSplit(double share);
   [[nodiscard]] double split() const { return m_split; }
 
@@ -105,12 +110,19 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   bool event(QEvent* event) override;
+  /// Whether the driver has taken the context away, as after a reset of the graphics card.
+  [[nodiscard]] virtual bool contextIsLost() const;
 
  private:
   enum class Drag { None, Orbit, Pan, Zoom, Look, TurnEnvironment };
   void releaseRenderer();
+  /// Makes the context current; false where there is none any more.
+  bool takeContext();
+  void loseRenderer();
   void drawFrame();
   [[nodiscard]] FrameRequest frameRequest() const;
+  /// What stands left of the split, or everywhere.
+  [[nodiscard]] std::shared_ptr<const ResolvedScene> leftScene() const;
   /// The column where the compared picture begins; beyond the last where there is none.
   [[nodiscard]] int splitColumn(int columns) const;
   [[nodiscard]] RendererOptions rendererOptions() const;
@@ -124,6 +136,7 @@ class Viewport : public QOpenGLWidget {
   void moveCamera(const Camera& camera);
   void flyStep();
   void placeOverlays();
+  void tellPixels();
   /// The view's name and, where its colours are numbers, their legend.
   void refreshViewName();
   void refreshLegend();
@@ -138,6 +151,7 @@ class Viewport : public QOpenGLWidget {
   bool m_withoutSubsurface = false;
   int m_targetSamples = 64;
   bool m_jobsLeft = false;
+  bool m_contextWasLost = false;
   std::string m_jobText;     ///< of the job in progress
   bool m_firstFrame = true;  ///< nothing has been shown yet: wait for programs and environment
   bool m_moving = false;
@@ -150,6 +164,7 @@ class Viewport : public QOpenGLWidget {
   ReferenceObjects m_references;
   std::unique_ptr<ComparedPicture> m_compared;
   std::shared_ptr<const ResolvedScene> m_comparedScene;
+  std::shared_ptr<const ResolvedScene> m_leftScene;  ///< beside it, where that isn't the document
   double m_split = 0.5;
   QTimer m_next;
   Lull m_lull;
@@ -172,7 +187,7 @@ class Viewport : public QOpenGLWidget {
   ViewportTool* m_activeTool = nullptr;
   OverlayCanvas* m_canvas = nullptr;
   ModelPicker* m_picker = nullptr;
-  QSet<int> m_flyKeys;
+  FlyKeys* m_flyKeys = nullptr;
   OverlayLabel* m_statistics = nullptr;
   OverlayLabel* m_viewName = nullptr;
   Legend* m_legend = nullptr;

@@ -8,6 +8,7 @@
 #include "core/scene/cameras.h"
 #include "ui/document/document.h"
 #include "ui/viewport/compared_picture.h"
+#include "ui/viewport/fly_keys.h"
 #include "ui/viewport/navigation.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_tool.h"
@@ -18,19 +19,21 @@ void Viewport::moveCamera(const Camera& camera) {
   m_document.setCamera(camera);  // tells of a change, and so draws
 }
 
+void Viewport::goTo(const Camera& camera) {
+  if (!m_document.isReady()) return;
+  moveCamera(camera);
+  Q_EMIT cameraGestureEnded();
+}
+
 void Viewport::frameAll() {
   if (!m_document.isReady()) return;
-  moveCamera(navigation::frame(m_document.camera(), m_document.model()->bounds,
-                               static_cast<float>(width()) / static_cast<float>(std::max(height(), 1))));
-  Q_EMIT cameraGestureEnded();
+  goTo(navigation::frame(m_document.camera(), m_document.model()->bounds,
+                         static_cast<float>(width()) / static_cast<float>(std::max(height(), 1))));
 }
 
 void Viewport::showNamedView(const QString& name) {
   if (!m_document.isReady()) return;
-  if (const auto camera = namedCamera(name.toStdString(), m_document.model()->bounds)) {
-    moveCamera(*camera);
-    Q_EMIT cameraGestureEnded();
-  }
+  if (const auto camera = namedCamera(name.toStdString(), m_document.model()->bounds)) goTo(*camera);
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -111,7 +114,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (ViewportTool* tool = std::exchange(m_activeTool, nullptr)) tool->release();
   const bool wasClick = m_drag == Drag::Orbit || m_drag == Drag::Pan;
   const bool wasDrag = std::exchange(m_drag, Drag::None) != Drag::None && m_dragged;
-  m_flyKeys.clear();
+  m_flyKeys->clear();
   m_fly.stop();
   unsetCursor();
   if (m_moving) still();
@@ -126,17 +129,14 @@ void Viewport::cancelDrag() {
   else if (m_drag != Drag::None)
     moveCamera(m_cameraBefore);
   m_drag = Drag::None;
-  m_flyKeys.clear();
+  m_flyKeys->clear();
   m_fly.stop();
   unsetCursor();
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!m_renderer || event->button() != Qt::LeftButton) return;
-  if (const auto point = pickPosition(event->position())) {
-    moveCamera(navigation::lookAt(m_document.camera(), *point));
-    Q_EMIT cameraGestureEnded();
-  }
+  if (const auto point = pickPosition(event->position())) goTo(navigation::lookAt(m_document.camera(), *point));
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
@@ -145,9 +145,8 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   for (ViewportTool* tool : m_tools)
     if (tool->wheel(*event)) return;
   const float fine = event->modifiers().testFlag(Qt::ShiftModifier) ? 0.2F : 1.0F;
-  moveCamera(navigation::zoom(m_document.camera(),
-                              fine * static_cast<float>(event->angleDelta().y() + event->angleDelta().x()) / 120.0F));
-  Q_EMIT cameraGestureEnded();
+  goTo(navigation::zoom(m_document.camera(),
+                        fine * static_cast<float>(event->angleDelta().y() + event->angleDelta().x()) / 120.0F));
 }
 
 bool Viewport::event(QEvent* event) {
@@ -161,6 +160,8 @@ bool Viewport::event(QEvent* event) {
       return true;
     }
   }
+  // A screen with other pixels resizes the picture though the widget keeps its size.
+  if (event->type() == QEvent::ScreenChangeInternal) tellPixels();
   return QOpenGLWidget::event(event);
 }
 
@@ -169,11 +170,9 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     cancelDrag();
     return;
   }
-  static const QSet<int> kFlyKeys = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
-  if ((m_drag == Drag::Zoom || m_drag == Drag::Look) && kFlyKeys.contains(event->key())) {
+  if ((m_drag == Drag::Zoom || m_drag == Drag::Look) && m_flyKeys->press(*event)) {
     if (event->isAutoRepeat()) return;
     m_drag = Drag::Look;
-    m_flyKeys.insert(event->key());
     if (!m_fly.isActive()) {
       m_sinceFlyStep.start();
       m_fly.start();
@@ -184,15 +183,15 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent* event) {
-  if (!event->isAutoRepeat() && m_flyKeys.remove(event->key())) {
-    if (m_flyKeys.isEmpty()) m_fly.stop();
+  if (!event->isAutoRepeat() && m_flyKeys->release(*event)) {
+    if (!m_flyKeys->any()) m_fly.stop();
     return;
   }
   QOpenGLWidget::keyReleaseEvent(event);
 }
 
 void Viewport::focusOutEvent(QFocusEvent* event) {
-  m_flyKeys.clear();
+  m_flyKeys->clear();
   m_fly.stop();
   QOpenGLWidget::focusOutEvent(event);
 }
@@ -206,11 +205,8 @@ void Viewport::leaveEvent(QEvent* event) {
 void Viewport::flyStep() {
   const float seconds = std::min(static_cast<float>(m_sinceFlyStep.restart()) * 1e-3F, 0.1F);
   const float speed = m_document.isReady() ? 0.8F * m_document.model()->bounds.radius() : 1.0F;
-  const auto held = [this](int key) { return m_flyKeys.contains(key) ? 1.0F : 0.0F; };
-  const glm::vec3 direction(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q),
-                            held(Qt::Key_W) - held(Qt::Key_S));
   m_dragged = true;
-  moveCamera(navigation::fly(m_document.camera(), direction * (speed * seconds)));
+  moveCamera(navigation::fly(m_document.camera(), m_flyKeys->direction() * (speed * seconds)));
 }
 
 }  // namespace dermis

@@ -21,13 +21,12 @@ void Viewport::updateOverlay() { m_canvas->update(); }
 Projection Viewport::projection() const { return {m_document.camera(), QSizeF(size())}; }
 
 std::optional<PixelReadout> Viewport::readPixel(const QPointF& at) {
-  if (!m_renderer || m_firstFrame) return std::nullopt;
+  if (!m_renderer || m_firstFrame || !takeContext()) return std::nullopt;
   const bool right = m_compared && at.x() * devicePixelRatioF() >=
                                        splitColumn(static_cast<int>(std::lround(width() * devicePixelRatioF())));
   Renderer& renderer = right ? m_compared->renderer() : *m_renderer;
   const glm::vec2 picture(renderer.statistics().pictureSize);
   const glm::vec2 share(static_cast<float>(at.x() / width()), static_cast<float>(at.y() / height()));
-  makeCurrent();
   const auto readout = renderer.readPixel(glm::ivec2(glm::floor(share * picture)),
                                           right ? m_comparedScene->scene.view : m_document.scene().view);
   doneCurrent();
@@ -35,10 +34,9 @@ std::optional<PixelReadout> Viewport::readPixel(const QPointF& at) {
 }
 
 std::optional<glm::vec3> Viewport::pickPosition(const QPointF& at) {
-  if (!m_renderer) return std::nullopt;
+  if (!m_renderer || !takeContext()) return std::nullopt;
   const glm::vec2 picture(m_renderer->statistics().pictureSize);
   const glm::vec2 share(static_cast<float>(at.x() / width()), static_cast<float>(at.y() / height()));
-  makeCurrent();
   const auto point = m_renderer->pickPosition(glm::ivec2(glm::floor(share * picture)));
   doneCurrent();
   return point;
@@ -50,7 +48,7 @@ QImage Viewport::picture() {
   if (!m_renderer || m_firstFrame) return {};
   // A moving picture has no samples of its own to be read: what the window shows has to do.
   if (!m_showsSamples) return grabFramebuffer();
-  makeCurrent();
+  if (!takeContext()) return {};
   const Image image = m_renderer->readView(Aov::Beauty, m_document.scene().view, PixelType::U8);
   doneCurrent();
   return QImage(reinterpret_cast<const uchar*>(image.pixels.data()), image.width, image.height,
@@ -64,12 +62,18 @@ void Viewport::setReferences(const ReferenceObjects& references) {
   update();
 }
 
-void Viewport::compareWith(std::shared_ptr<const ResolvedScene> scene) {
-  if (scene == m_comparedScene) return;
+void Viewport::compareWith(std::shared_ptr<const ResolvedScene> scene, std::shared_ptr<const ResolvedScene> left) {
+  if (!scene) left.reset();
+  if (scene == m_comparedScene && left == m_leftScene) return;
   m_comparedScene = std::move(scene);
+  m_leftScene = std::move(left);
   Q_EMIT comparisonChanged();
   updateOverlay();
   update();
+}
+
+std::shared_ptr<const ResolvedScene> Viewport::leftScene() const {
+  return m_leftScene ? m_leftScene : m_document.snapshot();
 }
 
 void Viewport::setSplit(double share) {
@@ -92,6 +96,7 @@ void Viewport::refreshCompared() {
     if (!made) {
       const QString sentence = text(made.error().message);
       m_comparedScene.reset();
+      m_leftScene.reset();
       QMetaObject::invokeMethod(
           this, [this, sentence] { Q_EMIT message(MessageKind::Error, sentence); }, Qt::QueuedConnection);
       return;
