@@ -5,6 +5,7 @@
 
 #include "core/io/udim.h"
 #include "ui/text.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
@@ -13,7 +14,7 @@ QString words(const char* text) { return QCoreApplication::translate("dermis::Ma
 
 std::filesystem::path setOrFile(const std::filesystem::path& file) { return udimSetOf(file).value_or(file); }
 
-QString modelName(ShadingModel model) { return text(shadingModelRow(model).label); }
+QString modelName(ShadingModel model) { return tableText(shadingModelRow(model).label); }
 
 }  // namespace
 
@@ -22,7 +23,7 @@ void MatchReport::used(const QString& slot, const TextureMatch& match) {
   m_used.insert(file);
   static constexpr std::array kChannels = {"R", "G", "B", "A", ""};
   QString line = words(QT_TRANSLATE_NOOP("dermis::MatchReport", "%1: %2"))
-                     .arg(dermis::text(textureSlotRow(match.texture).label), pathText(file.filename()));
+                     .arg(tableText(textureSlotRow(match.texture).label), pathText(file.filename()));
   if (match.channel != TextureChannel::R)
     line = words(QT_TRANSLATE_NOOP("dermis::MatchReport", "%1, channel %2"))
                .arg(line, QLatin1String(kChannels.at(static_cast<std::size_t>(match.channel))));
@@ -34,7 +35,7 @@ void MatchReport::used(const QString& slot, const TextureMatch& match) {
 void MatchReport::notRead(const TextureMatch& match, ShadingModel model) {
   m_left.try_emplace(setOrFile(match.path),
                      Reason{words(QT_TRANSLATE_NOOP("dermis::MatchReport", "the model %1 has no %2 map"))
-                                .arg(modelName(model), dermis::text(textureSlotRow(match.texture).label).toLower()),
+                                .arg(modelName(model), tableText(textureSlotRow(match.texture).label).toLower()),
                             true});
 }
 

@@ -1,7 +1,6 @@
 #include "ui/preferences/preferences.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QSettings>
 #include <algorithm>
 
@@ -27,8 +26,9 @@ void visit(Values& v, Visit item) {
 }  // namespace
 
 QString lengthText(double millimetres, LengthUnit unit, int moreDecimals) {
-  const QLocale locale;
-  const auto number = [&](double value) { return locale.toString(value, 'f', (value < 100.0 ? 1 : 0) + moreDecimals); };
+  const auto number = [&](double value) {
+    return QString::number(value, 'f', (value < 100.0 ? 1 : 0) + moreDecimals);
+  };
   switch (unit) {
     case LengthUnit::Centimetres:
       return QCoreApplication::translate("Length", "%1 cm").arg(number(millimetres / 10.0));
@@ -37,7 +37,7 @@ QString lengthText(double millimetres, LengthUnit unit, int moreDecimals) {
     case LengthUnit::Automatic:
       if (millimetres >= 1000.0)
         return QCoreApplication::translate("Length", "%1 m")
-            .arg(locale.toString(millimetres / 1000.0, 'f', 2 + moreDecimals));
+            .arg(QString::number(millimetres / 1000.0, 'f', 2 + moreDecimals));
       break;
     case LengthUnit::Millimetres:
       break;

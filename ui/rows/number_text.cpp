@@ -90,4 +90,10 @@ std::optional<double> parseNumber(const QString& text, const QString& unit) {
   return number * *scale;
 }
 
+QString groupedNumber(quint64 number) {
+  QString digits = QString::number(number);
+  for (qsizetype i = digits.size() - 3; i > 0; i -= 3) digits.insert(i, QChar(0x202F));
+  return digits;
+}
+
 }  // namespace dermis
