@@ -5,12 +5,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QScrollBar>
 #include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/builtin/environments.h"
+#include "ui/browse/list_place.h"
 #include "ui/docks/panel.h"
 #include "ui/document/loading.h"
 #include "ui/preferences/preferences.h"
@@ -18,11 +18,13 @@
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
 #include "ui/thumbnails.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
 
 constexpr QSize kThumbnail(128, 64);
+constexpr QSize kPixels = 2 * kThumbnail;  // for screens of up to two pixels a point; an icon is made smaller well
 constexpr int kBuiltinRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kRecent = 12;
@@ -35,15 +37,15 @@ QIcon builtinIcon(const std::string& id) {
   static QHash<QString, QIcon> made;
   QIcon& icon = made[text(id)];
   if (icon.isNull())
-    if (const auto images = builtinEnvironment(id, 2 * kThumbnail.width()))
-      icon = QIcon(QPixmap::fromImage(panoramaThumbnail(*images, kThumbnail)));
+    if (const auto images = builtinEnvironment(id, 2 * kPixels.width()))
+      icon = QIcon(QPixmap::fromImage(panoramaThumbnail(*images, kPixels)));
   return icon;
 }
 
 }  // namespace
 
 EnvironmentList::EnvironmentList(Preferences& preferences, QWidget* parent)
-    : QWidget(parent), m_preferences(preferences), m_panoramas(kThumbnail) {
+    : QWidget(parent), m_preferences(preferences), m_panoramas(kPixels) {
   buildList();
   m_soon.setSingleShot(true);
   m_soon.setInterval(150);
@@ -53,19 +55,12 @@ EnvironmentList::EnvironmentList(Preferences& preferences, QWidget* parent)
   connect(&m_preferences, &Preferences::changed, this, &EnvironmentList::fill);
   connect(&m_panoramas, &PanoramaMaker::made, this, &EnvironmentList::showPanorama);
   connect(&m_panoramas, &PanoramaMaker::progressed, this, &EnvironmentList::showProgress);
-  const QSettings settings;
-  m_search->setText(settings.value(kSearchKey).toString());
+  m_search->setText(QSettings().value(kSearchKey).toString());
+  m_place = std::make_unique<ListPlace>(*m_list, kScrollKey);
   fill();
-  QMetaObject::invokeMethod(
-      this, [this, scroll = settings.value(kScrollKey).toInt()] { m_list->verticalScrollBar()->setValue(scroll); },
-      Qt::QueuedConnection);
 }
 
-EnvironmentList::~EnvironmentList() {
-  QSettings settings;
-  settings.setValue(kSearchKey, m_search->text());
-  settings.setValue(kScrollKey, m_list->verticalScrollBar()->value());
-}
+EnvironmentList::~EnvironmentList() { QSettings().setValue(kSearchKey, m_search->text()); }
 
 void EnvironmentList::buildList() {
   auto* column = new QVBoxLayout(this);
@@ -94,7 +89,8 @@ void EnvironmentList::buildList() {
   m_list->setWordWrap(false);
   m_list->setTextElideMode(Qt::ElideMiddle);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_list->setFixedHeight(198);
+  m_list->setMinimumHeight(104);  // one row of them
+  m_list->setMaximumHeight(198);
   column->addWidget(m_list);
   auto* busy = new QHBoxLayout();
   m_progress = new QLabel(this);
@@ -129,12 +125,12 @@ QStringList EnvironmentList::readFiles() const {
 
 void EnvironmentList::fill() {
   const QSignalBlocker blocker(m_list);
-  const int scroll = m_list->verticalScrollBar()->value();
+  m_place->hold();
   m_list->clear();
   for (const BuiltinEnvironmentRow& row : builtinEnvironments()) {
-    auto* item = new QListWidgetItem(builtinIcon(std::string(row.id)), text(row.label), m_list);
+    auto* item = new QListWidgetItem(builtinIcon(std::string(row.id)), tableText(row.label), m_list);
     item->setData(kBuiltinRole, text(row.id));
-    item->setToolTip(text(row.sentence));
+    item->setToolTip(tableText(row.sentence));
   }
   QStringList watched;
   for (const QString& folder : m_preferences.values().environmentFolders)
@@ -149,7 +145,7 @@ void EnvironmentList::fill() {
   if (!watched.isEmpty()) m_watcher.addPaths(watched);
   filter();
   showUsed(m_used);
-  m_list->verticalScrollBar()->setValue(scroll);
+  m_place->settle();
   showProgress(m_panoramas.waiting());
 }
 

@@ -4,6 +4,7 @@
 #include <QFileSystemWatcher>
 #include <QTimer>
 #include <QWidget>
+#include <memory>
 
 #include "core/scene/scene.h"
 #include "ui/browse/panorama_maker.h"
@@ -15,6 +16,7 @@ class QToolButton;
 
 namespace dermis {
 
+class ListPlace;
 class Preferences;
 
 class EnvironmentList : public QWidget {
@@ -46,6 +48,7 @@ class EnvironmentList : public QWidget {
   QTimer m_soon;
   QLineEdit* m_search = nullptr;
   QListWidget* m_list = nullptr;
+  std::unique_ptr<ListPlace> m_place;
   QLabel* m_progress = nullptr;
   QToolButton* m_cancel = nullptr;
 };

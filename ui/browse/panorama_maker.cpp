@@ -12,7 +12,7 @@
 
 namespace dermis {
 namespace {
-constexpr const char* kPictureVersion = "panorama 1";
+constexpr const char* kPictureVersion = "panorama 2";
 }
 
 PanoramaMaker::PanoramaMaker(QSize size, QObject* parent)

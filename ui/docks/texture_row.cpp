@@ -15,6 +15,7 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "core/base/file_reference.h"
 #include "core/image/image_tiles.h"
@@ -26,6 +27,7 @@
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
 #include "ui/thumbnails.h"
+#include "ui/translation.h"
 
 namespace dermis {
 namespace {
@@ -53,7 +55,7 @@ QString describe(const Image& image) {
 
 TextureRow::TextureRow(const TextureSlotRow& slot, QWidget* parent) : QFrame(parent), m_slot(slot) {
   setObjectName(QStringLiteral("texture.") + text(slot.id));
-  setAccessibleName(tr("Texture maps › %1").arg(text(slot.label)));
+  setAccessibleName(tr("Texture maps › %1").arg(tableText(slot.label)));
   setProperty("card", true);
   setAcceptDrops(true);
   auto* column = new QVBoxLayout(this);
@@ -75,7 +77,7 @@ void TextureRow::buildHead() {
   head->addWidget(m_thumbnail);
   auto* words = new QVBoxLayout();
   words->setSpacing(1);
-  auto* name = new QLabel(text(m_slot.label), this);
+  auto* name = new QLabel(tableText(m_slot.label), this);
   name->setProperty("heading", true);
   m_file = new ElidedLabel(this);
   m_size = new QLabel(this);
@@ -86,11 +88,11 @@ void TextureRow::buildHead() {
   head->addLayout(words, 1);
   m_locate = new QPushButton(tr("Locate…"), this);
   m_locate->setObjectName(objectName() + QStringLiteral(".locate"));
-  m_locate->setAccessibleName(tr("%1 map: locate the missing file").arg(text(m_slot.label)));
+  m_locate->setAccessibleName(tr("%1 map: locate the missing file").arg(tableText(m_slot.label)));
   m_locate->setToolTip(tr("Say where the file is now; other missing maps that lie beside it come along"));
   head->addWidget(m_locate, 0, Qt::AlignVCenter);
   connect(m_locate, &QPushButton::clicked, this, &TextureRow::locateRequested);
-  const QString label = text(m_slot.label);
+  const QString label = tableText(m_slot.label);
   auto* choose = iconButton("open", tr("%1 map: choose a file").arg(label), this);
   m_reload = iconButton("reload", tr("%1 map: read the file again").arg(label), this);
   m_clear = iconButton("close", tr("%1 map: clear").arg(label), this);
@@ -105,7 +107,7 @@ void TextureRow::buildHead() {
 }
 
 void TextureRow::buildDetails() {
-  const QString label = text(m_slot.label);
+  const QString label = tableText(m_slot.label);
   const auto changed = [this](const BindingChange& change) { Q_EMIT bindingEdited(change, newGesture()); };
   m_details = new QWidget(this);
   auto* grid = new QGridLayout(m_details);
@@ -201,7 +203,7 @@ void TextureRow::showBinding(const TextureBinding& binding, const std::shared_pt
   if (!present || !image)
     m_thumbnail->setPixmap({}), m_thumbnail->setText(present ? QStringLiteral("?") : QStringLiteral("+"));
   else if (newPicture)
-    m_thumbnail->setPixmap(QPixmap::fromImage(mapThumbnail(*image, kThumbnailSide)));
+    drawThumbnail();
   const QString name = image && binding.path.starts_with("embedded:")
                            ? text(image->name)
                            : pathText(std::filesystem::path(binding.path).filename());
@@ -231,6 +233,19 @@ void TextureRow::showBinding(const TextureBinding& binding, const std::shared_pt
   m_flip->setChecked(binding.flipGreen);
   m_tiling->showNumber(static_cast<double>(binding.uvScale[0]));
   m_scale->showNumber(static_cast<double>(binding.scale));
+}
+
+void TextureRow::drawThumbnail() {
+  const double ratio = devicePixelRatioF();
+  QPixmap picture = QPixmap::fromImage(mapThumbnail(*m_image, static_cast<int>(std::lround(kThumbnailSide * ratio))));
+  picture.setDevicePixelRatio(ratio);
+  m_thumbnail->setPixmap(picture);
+}
+
+bool TextureRow::event(QEvent* event) {
+  // Another screen may have more pixels.
+  if (event->type() == QEvent::ScreenChangeInternal && m_image && m_binding.present()) drawThumbnail();
+  return QFrame::event(event);
 }
 
 void TextureRow::markDrop(bool active) {

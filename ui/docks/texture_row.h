@@ -40,6 +40,7 @@ class TextureRow : public QFrame {
   void bindingEdited(const dermis::BindingChange& change, dermis::Gesture gesture);
 
  protected:
+  bool event(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -49,6 +50,7 @@ class TextureRow : public QFrame {
  private:
   void buildHead();
   void buildDetails();
+  void drawThumbnail();
   void markDrop(bool active);
   void reveal();
 
