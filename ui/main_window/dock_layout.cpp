@@ -1,7 +1,9 @@
 #include "ui/main_window/dock_layout.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QScreen>
 #include <QSettings>
 #include <QTimer>
 #include <algorithm>
@@ -15,6 +17,7 @@ const QString kStateKey = QStringLiteral("window/state");
 const QString kShownKey = QStringLiteral("window/shownState");
 constexpr int kLeftWidth = 344;
 constexpr int kRightWidth = 392;
+constexpr QSize kRoomy(kLeftWidth + kRightWidth + 480, 720);  // where docks on both sides leave room for a picture
 }  // namespace
 
 DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window) {
@@ -25,6 +28,10 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
   window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window.setCorner(Qt::TopRightCorner, Qt::RightDockWidgetArea);
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    for (QWidget* w = now; w != nullptr; w = w->parentWidget())
+      if (auto* dock = qobject_cast<QDockWidget*>(w); m_docks.contains(dock)) m_used = dock;
+  });
 }
 
 QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget* content) {
@@ -53,6 +60,31 @@ void DockLayout::arrange() {
     dock->setFloating(false);
     m_window.removeDockWidget(dock);
   }
+  const QSize screen = m_window.screen()->availableSize();
+  if (screen.width() >= kRoomy.width() && screen.height() >= kRoomy.height())
+    arrangeBothSides();
+  else
+    arrangeOneSide();
+  for (const char* name : {"log", "history", "snapshots", "reference"}) {
+    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(name));
+    dock(name)->hide();
+  }
+  for (const char* name : {"history", "snapshots", "reference"}) m_window.tabifyDockWidget(dock("log"), dock(name));
+  dock("material")->raise();
+  refreshTitleBars();
+}
+
+void DockLayout::arrangeOneSide() {
+  // On a small screen the picture has one side and all of the height.
+  for (const char* name : {"material", "textures", "presets", "environment", "lights", "camera", "diffusion"}) {
+    m_window.addDockWidget(Qt::RightDockWidgetArea, dock(name));
+    dock(name)->show();
+    if (dock(name) != dock("material")) m_window.tabifyDockWidget(dock("material"), dock(name));
+  }
+  m_window.resizeDocks({dock("material")}, {kRightWidth}, Qt::Horizontal);
+}
+
+void DockLayout::arrangeBothSides() {
   const auto put = [this](Qt::DockWidgetArea area, const char* name) {
     m_window.addDockWidget(area, dock(name));
     dock(name)->show();
@@ -71,18 +103,9 @@ void DockLayout::arrange() {
   put(Qt::RightDockWidgetArea, "material");
   put(Qt::RightDockWidgetArea, "textures");
   m_window.tabifyDockWidget(dock("material"), dock("textures"));
-  for (const char* name : {"log", "history", "snapshots", "reference"}) {
-    m_window.addDockWidget(Qt::BottomDockWidgetArea, dock(name));
-    dock(name)->hide();
-  }
-  m_window.tabifyDockWidget(dock("log"), dock("history"));
-  m_window.tabifyDockWidget(dock("log"), dock("snapshots"));
-  m_window.tabifyDockWidget(dock("log"), dock("reference"));
   dock("environment")->raise();
-  dock("material")->raise();
   m_window.resizeDocks({dock("presets"), dock("material")}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
   m_window.resizeDocks({dock("presets"), dock("environment")}, {480, 420}, Qt::Vertical);
-  refreshTitleBars();
 }
 
 void DockLayout::restore() {
@@ -91,6 +114,10 @@ void DockLayout::restore() {
   m_window.restoreGeometry(settings.value(kGeometryKey).toByteArray());
   m_window.restoreState(settings.value(kStateKey).toByteArray(), kStateVersion);
   m_shown = settings.value(kShownKey).toByteArray();
+  // What stood well on another screen may not fit this one.
+  const QSize least = m_window.minimumSizeHint();
+  const QSize screen = m_window.screen()->availableSize();
+  if (least.width() > screen.width() || least.height() > screen.height()) arrange();
   refreshTitleBars();
 }
 
@@ -123,6 +150,15 @@ void DockLayout::toggleAll() {
   } else {
     setState(std::exchange(m_shown, {}));
   }
+}
+
+void DockLayout::toggleFloating() {
+  if (!m_used || m_used->isHidden()) return;
+  QWidget* focus = m_used->focusWidget();
+  m_used->setFloating(!m_used->isFloating());
+  m_used->raise();
+  m_used->activateWindow();
+  if (focus != nullptr) focus->setFocus();
 }
 
 void DockLayout::refreshTitleBars() {

@@ -3,6 +3,7 @@
 
 #include <QList>
 #include <QObject>
+#include <QPointer>
 
 class QDockWidget;
 class QMainWindow;
@@ -25,15 +26,20 @@ class DockLayout : public QObject {
   void setState(const QByteArray& state);
   /// Hides all, or brings back those that were hidden.
   void toggleAll();
+  /// Tears the dock off that has the focus, or had it last, or puts it back.
+  void toggleFloating();
 
  private:
   [[nodiscard]] QDockWidget* dock(const char* name) const;
   void arrange();
+  void arrangeBothSides();
+  void arrangeOneSide();
   void refreshTitleBars();
 
   QMainWindow& m_window;
   QList<QDockWidget*> m_docks;
-  QByteArray m_shown;  ///< where they stood when all were hidden together
+  QPointer<QDockWidget> m_used;  ///< has the focus, or had it last
+  QByteArray m_shown;            ///< where they stood when all were hidden together
 };
 
 }  // namespace dermis
