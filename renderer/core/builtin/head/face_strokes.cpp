@@ -51,6 +51,7 @@ std::vector<DrawnStroke> fineStrokes() {
         {12.3F, -32.6F, 4.2F, -0.75F},
         {16.2F, -36.5F, 4.0F, -0.8F},
         {17.6F, -42, 4.0F, -0.5F}}},
+      {"cheek before the masseter", Front, {{47, -31, 17, 0.9F}, {52, -40, 17, 0.6F}}},
       {"tear trough", Front, {{18, -10, 9, -0.2F}, {23, -15.5F, 12, -0.55F}, {33, -20, 12, -0.4F}}},
       {"philtrum", Front, {{0, -50, 4.6F, -0.4F}, {0, -57.0F, 5.2F, -0.75F}}},
       {"column of the philtrum", Front, {{4.4F, -50, 4.2F, 0.2F}, {5.8F, -58.3F, 4.6F, 0.5F}}},

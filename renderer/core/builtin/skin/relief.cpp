@@ -71,12 +71,12 @@ float forehead(const SkinPlace& at, const HeadRegions& curves, const Look& look)
     const float row = std::round((lifted - 36.0F) / kSpacing);
     const float off = lifted - 36.0F - kSpacing * row;
     const float broken = glm::smoothstep(-0.35F, 0.25F, noise({at.p.x / 22.0F, 7.3F * row, 0.5F}, look.seed + 141));
-    height += (0.015F + 0.4F * old) * at[Forehead] * broken * fold(off, 0.9F + 0.4F * old);
+    height += (0.015F + 0.75F * old) * at[Forehead] * broken * fold(off, 0.9F + 0.4F * old);
   }
   // The two upright lines between the brows.
   const float between = bell(at.p.y - 16.0F, 11.0F) * glm::smoothstep(60.0F, 85.0F, at.p.z);
   if (between > 0.02F)
-    height += 0.4F * old * between * fold(x - 7.5F - 1.5F * noise(at.p / 9.0F, look.seed + 142), 1.2F);
+    height += 0.75F * old * between * fold(x - 7.5F - 1.5F * noise(at.p / 9.0F, look.seed + 142), 1.2F);
   return height;
 }
 
@@ -94,7 +94,7 @@ float eyes(const SkinPlace& at, const Look& look) {
     const float off = (angle - kApart * ray) * reach;
     const float broken =
         glm::smoothstep(-0.4F, 0.2F, noise({reach / 9.0F, 5.1F * ray, at.p.x < 0.0F ? 0.5F : 9.5F}, look.seed + 151));
-    height += (0.012F + 0.38F * old) * at[CrowsFeet] * broken * glm::smoothstep(3.0F, 8.0F, reach) *
+    height += (0.012F + 0.68F * old) * at[CrowsFeet] * broken * glm::smoothstep(3.0F, 8.0F, reach) *
               fold(off, 0.7F + 0.4F * old);
   }
   if (at[UnderEye] > 0.02F) {
@@ -104,7 +104,7 @@ float eyes(const SkinPlace& at, const Look& look) {
     constexpr float kSpacing = 2.1F;
     const float off = rings - kSpacing * std::round(rings / kSpacing);
     const float broken = glm::smoothstep(-0.3F, 0.3F, noise(at.p / 6.0F, look.seed + 153));
-    height += (0.008F + 0.14F * old) * at[UnderEye] * broken * fold(off, 0.45F + 0.2F * old);
+    height += (0.008F + 0.26F * old) * at[UnderEye] * broken * fold(off, 0.45F + 0.2F * old);
   }
   return height;
 }
@@ -132,7 +132,7 @@ float mouthFolds(const SkinPlace& at, const Look& look) {
   const auto ends = [](float along) {
     return glm::smoothstep(0.0F, 0.15F, along) * (1.0F - glm::smoothstep(0.6F, 1.0F, along));
   };
-  return old * (0.5F * ends(upper.y) * fold(upper.x, 1.7F) + 0.28F * ends(lower.y) * fold(lower.x, 1.4F));
+  return old * (0.95F * ends(upper.y) * fold(upper.x, 1.9F) + 0.5F * ends(lower.y) * fold(lower.x, 1.4F));
 }
 
 float neck(const SkinPlace& at, const Look& look) {
@@ -141,7 +141,7 @@ float neck(const SkinPlace& at, const Look& look) {
   const float height = at.p.y + 0.12F * at.p.z + 4.0F * noise(at.p / 40.0F, look.seed + 160);
   const float off = height - kSpacing * std::round(height / kSpacing);
   const float broken = glm::smoothstep(-0.2F, 0.5F, noise(at.p / 33.0F, look.seed + 161));
-  return (0.006F + 0.16F * glm::smoothstep(30.0F, 80.0F, look.age)) * at[Neck] * broken * fold(off, 1.1F);
+  return (0.006F + 0.3F * glm::smoothstep(30.0F, 80.0F, look.age)) * at[Neck] * broken * fold(off, 1.1F);
 }
 
 }  // namespace

@@ -37,11 +37,11 @@ float height(const glm::vec2& mm) {
   constexpr int kCoarse = 46, kFine = 96, kPores = 27;  // cells a tile
   const auto cell = [](int cells) { return kDetailTileMm / static_cast<float>(cells); };
   const Cells coarse = tiledCells(mm / cell(kCoarse), kCoarse, 11), fine = tiledCells(mm / cell(kFine), kFine, 12);
-  float sum = -(0.008F + 0.018F * unit(coarse.hash, 3)) * bell((coarse.second - coarse.first) * cell(kCoarse), 0.13F) -
-              0.009F * bell((fine.second - fine.first) * cell(kFine), 0.10F);
+  float sum = -(0.014F + 0.031F * unit(coarse.hash, 3)) * bell((coarse.second - coarse.first) * cell(kCoarse), 0.13F) -
+              0.015F * bell((fine.second - fine.first) * cell(kFine), 0.10F);
   const Cells pore = tiledCells(mm / cell(kPores), kPores, 13);
   const float size = unit(pore.hash, 7);
-  sum -= (0.02F + 0.055F * size * size) * bell(pore.first * cell(kPores), 0.12F + 0.10F * size);
+  sum -= (0.03F + 0.09F * size * size) * bell(pore.first * cell(kPores), 0.12F + 0.10F * size);
   return sum;
 }
 
