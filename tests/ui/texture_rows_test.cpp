@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTimer>
 
 #include "core/material/preset_io.h"
@@ -188,6 +189,10 @@ TEST_F(TextureRows, ADeletedFileIsShownAsMissingAndComesBack) {
   ASSERT_TRUE(QFile::remove(path));
   EXPECT_TRUE(QTest::qWaitFor([&] { return !locate->isHidden(); }, 5000));
   EXPECT_EQ(red(TextureSlot::Albedo), 40);
+  QTest::qWait(50);  // what it says now is laid out
+  const auto* area = window->findChild<TexturesPanel*>()->findChild<QScrollArea*>();
+  ASSERT_NE(area, nullptr);
+  EXPECT_LE(row("albedo")->mapTo(area, QPoint(row("albedo")->width(), 0)).x(), area->width()) << "cut off";
   image("albedo.png", QColor(41, 0, 0));
   EXPECT_TRUE(waitRed(TextureSlot::Albedo, 41));
   EXPECT_TRUE(QTest::qWaitFor([&] { return locate->isHidden(); }, 5000));

@@ -82,15 +82,16 @@ void TextureRow::buildHead() {
   m_file = new ElidedLabel(this);
   m_size = new QLabel(this);
   m_size->setProperty("quiet", true);
+  m_size->setWordWrap(true);  // what is wrong with a file takes more room than its size
   words->addWidget(name);
   words->addWidget(m_file);
   words->addWidget(m_size);
-  head->addLayout(words, 1);
   m_locate = new QPushButton(tr("Locate…"), this);
   m_locate->setObjectName(objectName() + QStringLiteral(".locate"));
   m_locate->setAccessibleName(tr("%1 map: locate the missing file").arg(tableText(m_slot.label)));
   m_locate->setToolTip(tr("Say where the file is now; other missing maps that lie beside it come along"));
-  head->addWidget(m_locate, 0, Qt::AlignVCenter);
+  words->addWidget(m_locate, 0, Qt::AlignLeft);
+  head->addLayout(words, 1);
   connect(m_locate, &QPushButton::clicked, this, &TextureRow::locateRequested);
   const QString label = tableText(m_slot.label);
   auto* choose = iconButton("open", tr("%1 map: choose a file").arg(label), this);
