@@ -151,29 +151,33 @@ Result<QString> PresetLibrary::duplicate(const PresetEntry& entry) {
 
 Result<QString> PresetLibrary::rename(const PresetEntry& entry, const QString& name) {
   const QString old = entry.path;
-  Material material = entry.material;
-  const QString oldName = text(material.name);
+  const Material before = entry.material;
+  Material material = before;
   material.name = name.toStdString();
   QString path = freeFile(QFileInfo(old).path(), name, old);
-  if (path == old && oldName == name) return path;
+  if (path == old && material == before) return path;
   if (const Result<void> saved = savePreset(toPath(path), material); !saved) return tl::unexpected(saved.error());
   if (path != old && !QFile::remove(old)) {
     refresh();
     return runtimeError(old.toStdString() + " could not be removed; the preset is there under both names");
   }
-  Q_EMIT renamed(old, path, oldName, name);
+  Q_EMIT rewritten(old, path, before, material);
   refresh();
   return path;
 }
 
 Result<void> PresetLibrary::setTags(const PresetEntry& entry, const QStringList& tags) {
-  Material material = entry.material;
+  const Material before = entry.material;
+  Material material = before;
+  const QString path = entry.path;
   std::vector<std::string> words;
   for (const QString& tag : tags)
     if (!tag.simplified().isEmpty()) words.push_back(tag.simplified().toStdString());
   setPresetTags(material, words);
-  Result<void> saved = savePreset(toPath(entry.path), material);
-  if (saved) refresh();
+  Result<void> saved = savePreset(toPath(path), material);
+  if (!saved) return saved;
+  Q_EMIT rewritten(path, path, before, material);
+  refresh();
   return saved;
 }
 

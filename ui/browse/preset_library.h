@@ -50,8 +50,8 @@ class PresetLibrary : public QObject {
 
  Q_SIGNALS:
   void changed();
-  /// A preset has another file and name.
-  void renamed(const QString& from, const QString& to, const QString& oldName, const QString& newName);
+  /// A preset has another file and name, or other tags.
+  void rewritten(const QString& from, const QString& to, const dermis::Material& before, const dermis::Material& after);
 
  private:
   void addBuiltins();

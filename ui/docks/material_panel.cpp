@@ -10,6 +10,7 @@
 #include "core/material/value_json.h"
 #include "ui/docks/material_clipboard.h"
 #include "ui/docks/slot_chooser.h"
+#include "ui/docks/slot_drag.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
 #include "ui/rows/choice_editors.h"
@@ -93,7 +94,7 @@ void MaterialPanel::buildStrip() {
   }
   grid->addWidget(m_model, 1, 1, 1, 2);
   label(tr("Preset"), 2);
-  m_preset = new QLabel(this);
+  m_preset = new SlotHandle(m_document, this);
   m_preset->setObjectName(QStringLiteral("material.preset"));
   m_preset->setTextFormat(Qt::PlainText);
   m_preset->setFixedHeight(metrics::kControlHeight);
@@ -112,14 +113,15 @@ void MaterialPanel::buildStrip() {
   m_search = new SearchField(tr("Search parameters"), QStringLiteral("material.search"), this);
   strip()->addWidget(m_search);
 
-  connect(m_slots, &SlotChooser::presetDropped, this,
-          [this](const QString& preset) { m_loading.applyPreset(preset.toStdString(), m_document.currentSlot()); });
+  connect(m_slots, &SlotChooser::presetDropped, this, [this](const QString& preset, const QStringList& slots_) {
+    m_loading.applyPreset(preset.toStdString(), slots_);
+  });
   connect(m_model, &QComboBox::activated, this, [this](int index) {
     m_document.setShadingModel(m_document.editedSlots(), shadingModels()[static_cast<std::size_t>(index)].model);
   });
   connect(m_search, &QLineEdit::textChanged, this, &MaterialPanel::refreshVisibility);
   connect(save, &QToolButton::clicked, this, &MaterialPanel::savePresetRequested);
-  connect(m_revert, &QToolButton::clicked, this, [this] { m_loading.revertToPreset(m_document.currentSlot()); });
+  connect(m_revert, &QToolButton::clicked, this, [this] { m_loading.revertToPreset(m_document.editedSlots()); });
 }
 
 void MaterialPanel::buildRows() {
@@ -142,8 +144,6 @@ void MaterialPanel::buildRows() {
     group->addRow(row);
     connect(row, &PropertyRow::edited, this,
             [this, &parameter](const ParameterValue& value, Gesture gesture) { edit(parameter, value, gesture); });
-    connect(row, &PropertyRow::problem, this,
-            [this](const QString& sentence) { Q_EMIT m_loading.message(MessageKind::Error, sentence); });
     m_entries.push_back({&parameter, row, group});
   }
   m_nothing = new QLabel(this);
@@ -199,10 +199,12 @@ void MaterialPanel::refresh() {
     m_model->setCurrentIndex(static_cast<int>(material.model));
   }
   const bool edited = look->binding && look->binding->edited;
+  const bool missing = look->binding && look->binding->missing;
   const QString name = material.name.empty() ? tr("no preset") : text(material.name);
   m_preset->setText(edited ? name + QStringLiteral(" *") : name);
-  m_preset->setToolTip(edited ? tr("Changed since the preset was applied") : QString());
-  m_revert->setEnabled(edited && look->preset);
+  const QString help = tr("Drag it onto a part in the picture, or onto the box of slots: that part wears the same");
+  m_preset->setToolTip(edited ? tr("Changed since the preset was applied") + QLatin1Char('\n') + help : help);
+  m_revert->setEnabled((edited || missing) && (look->preset || !look->binding->presetPath.empty()));
 
   // Fresnel F0 shows what it follows while it has no value of its own.
   const float n = material.parameters.specularIor;

@@ -10,18 +10,18 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSettings>
-#include <QShortcut>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "core/base/file_reference.h"
+#include "ui/browse/list_place.h"
 #include "ui/browse/preset_list.h"
 #include "ui/docks/panel.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
+#include "ui/preferences/list_keys.h"
 #include "ui/preferences/preferences.h"
 #include "ui/text.h"
 #include "ui/theme/icons.h"
@@ -35,6 +35,7 @@ constexpr int kBall = 96;
 const QString kSearchKey = QStringLiteral("presets/search");
 const QString kTagKey = QStringLiteral("presets/tag");
 const QString kScrollKey = QStringLiteral("presets/scroll");
+const QString kSelectedKey = QStringLiteral("presets/selected");
 }  // namespace
 
 PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent)
@@ -45,6 +46,7 @@ PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& pr
   column->setSpacing(0);
   buildHead();
   m_list = new PresetList(this);
+  m_place = std::make_unique<ListPlace>(*m_list, kScrollKey);
   column->addWidget(m_list, 1);
   m_nothing = new QLabel(this);
   m_nothing->setProperty("quiet", true);
@@ -61,12 +63,8 @@ PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& pr
     fillMenu(&menu);
     menu.exec(m_list->mapToGlobal(at));
   });
-  const auto key = [this](const QKeySequence& keys, auto slot) {
-    auto* shortcut = new QShortcut(keys, m_list, nullptr, nullptr, Qt::WidgetShortcut);
-    connect(shortcut, &QShortcut::activated, this, slot);
-  };
-  key(QKeySequence(Qt::Key_F2), &PresetsPanel::askName);
-  key(QKeySequence::Delete, &PresetsPanel::trashSelected);
+  connect(renameKey(m_list), &QAction::triggered, this, &PresetsPanel::askName);
+  connect(removeKey(m_list), &QAction::triggered, this, &PresetsPanel::trashSelected);
   connect(m_search, &QLineEdit::textChanged, this, &PresetsPanel::filter);
   connect(m_tag, &QComboBox::activated, this, &PresetsPanel::filter);
   connect(&m_document, &Document::currentSlotChanged, this, &PresetsPanel::refreshWorn);
@@ -75,6 +73,10 @@ PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& pr
   });
   connect(&m_loading, &Loading::presetSaved, &m_library, &PresetLibrary::refresh);
   connect(&m_library, &PresetLibrary::changed, this, &PresetsPanel::fill);
+  connect(&m_library, &PresetLibrary::rewritten, this,
+          [this](const QString& from, const QString& to, const Material& before, const Material& after) {
+            m_document.presetRewritten(from.toStdString(), to.toStdString(), before, after);
+          });
   connect(&m_thumbnails, &ThumbnailMaker::made, this, &PresetsPanel::showThumbnail);
   connect(&m_thumbnails, &ThumbnailMaker::progressed, this, &PresetsPanel::showProgress);
   connect(&m_preferences, &Preferences::changed, this,
@@ -167,7 +169,7 @@ void PresetsPanel::buildFoot() {
 
 void PresetsPanel::fill() {
   const QString chosen = m_list->currentPath();
-  const int scroll = m_list->verticalScrollBar()->value();
+  m_place->hold();
   {
     const QSignalBlocker blocker(m_list);
     m_list->clear();
@@ -191,7 +193,7 @@ void PresetsPanel::fill() {
   filter();
   refreshWorn();
   refreshButtons();
-  m_list->verticalScrollBar()->setValue(scroll);
+  m_place->settle();
   m_thumbnails.want(m_library.entries());
 }
 
@@ -217,6 +219,7 @@ void PresetsPanel::refreshWorn() {
   const SlotLook* look = m_document.currentLook();
   const QString path = look != nullptr && look->binding ? text(look->binding->presetPath) : QString();
   const bool edited = look != nullptr && look->binding && look->binding->edited;
+  const bool missing = look != nullptr && look->binding && look->binding->missing;
   for (int i = 0; i < m_list->count(); ++i) {
     QListWidgetItem* item = m_list->item(i);
     const bool worn = !path.isEmpty() && item->data(PresetList::kPathRole).toString() == path;
@@ -234,8 +237,10 @@ void PresetsPanel::refreshWorn() {
                                        : tr("%1:  %2").arg(m_document.currentSlot(), name);
   m_worn->setText(line);
   m_worn->setAccessibleName(line);
-  m_worn->setToolTip(edited ? tr("The slot's values differ from its preset") : QString());
-  m_revert->setEnabled(edited && (look->preset || !path.isEmpty()));
+  m_worn->setToolTip(missing  ? tr("The preset %1 could not be read; put the file back and revert to it").arg(path)
+                     : edited ? tr("The slot's values differ from its preset")
+                              : QString());
+  m_revert->setEnabled((edited || missing) && (look->preset || !path.isEmpty()));
   m_update->setEnabled(look != nullptr);
   refreshButtons();
 }
@@ -248,21 +253,15 @@ void PresetsPanel::refreshButtons() {
 
 const PresetEntry* PresetsPanel::selected() const { return m_library.find(m_list->currentPath()); }
 
-void PresetsPanel::apply(const QString& path, const QString& slot) { m_loading.applyPreset(path.toStdString(), slot); }
+void PresetsPanel::apply(const QString& path, const QStringList& slots_) {
+  m_loading.applyPreset(path.toStdString(), slots_);
+}
 
 void PresetsPanel::applySelected() {
-  if (m_list->currentItem() != nullptr) apply(m_list->currentPath(), m_document.currentSlot());
+  if (m_list->currentItem() != nullptr) apply(m_list->currentPath(), m_document.editedSlots());
 }
 
-void PresetsPanel::revert() {
-  const SlotLook* look = m_document.currentLook();
-  if (look == nullptr || !look->binding) return;
-  // A scene that was opened knows which preset an edited material came from, not what stood in it.
-  if (look->preset)
-    m_loading.revertToPreset(m_document.currentSlot());
-  else
-    m_loading.applyPreset(look->binding->presetPath, m_document.currentSlot());
-}
+void PresetsPanel::revert() { m_loading.revertToPreset(m_document.editedSlots()); }
 
 // --- the selected preset's file --------------------------------------------------------------------------------------
 
@@ -329,10 +328,20 @@ void PresetsPanel::fillMenu(QMenu* menu) {
     QAction* action = menu->addAction(themeIcon(icon), label, this, slot);
     action->setEnabled(enabled);
   };
-  add("check", tr("&Apply to %1").arg(m_document.currentSlot()), &PresetsPanel::applySelected, true);
+  add("check", tr("&Apply to %1").arg(m_document.editedSlots().join(QStringLiteral(", "))),
+      &PresetsPanel::applySelected, true);
   QMenu* slots = menu->addMenu(tr("Apply to slo&t"));
   for (const QString& slot : m_document.slotNames())
-    connect(slots->addAction(slot), &QAction::triggered, this, [this, slot, path = entry->path] { apply(path, slot); });
+    connect(slots->addAction(slot), &QAction::triggered, this,
+            [this, slot, path = entry->path] { apply(path, {slot}); });
+  menu->addSeparator();
+  const auto compare = [&](const QString& label, const char* name, bool left) {
+    QAction* action =
+        menu->addAction(label, this, [this, left, path = entry->path] { Q_EMIT compareRequested(path, left); });
+    action->setObjectName(QLatin1String(name));
+  };
+  compare(tr("&Compare with this"), "presets.compare", false);
+  compare(tr("Compare &others with this (left side)"), "presets.compareLeft", true);
   menu->addSeparator();
   add("add", tr("&Duplicate"), &PresetsPanel::duplicateSelected, true);
   add("material", tr("&Rename…"), &PresetsPanel::askName, own);
@@ -366,7 +375,7 @@ void PresetsPanel::remember() {
   QSettings settings;
   settings.setValue(kSearchKey, m_search->text());
   settings.setValue(kTagKey, m_tag->currentIndex() > 0 ? m_tag->currentText() : QString());
-  settings.setValue(kScrollKey, m_list->verticalScrollBar()->value());
+  settings.setValue(kSelectedKey, m_list->currentPath());
 }
 
 void PresetsPanel::restore() {
@@ -375,10 +384,9 @@ void PresetsPanel::restore() {
   m_tag->setCurrentIndex(std::max(0, m_tag->findText(settings.value(kTagKey).toString())));
   filter();
   m_restored = true;
-  // There is nothing to scroll before the list has been laid out.
-  const int scroll = settings.value(kScrollKey).toInt();
-  QMetaObject::invokeMethod(
-      this, [this, scroll] { m_list->verticalScrollBar()->setValue(scroll); }, Qt::QueuedConnection);
+  const QString selected = settings.value(kSelectedKey).toString();
+  for (int i = 0; i < m_list->count() && !selected.isEmpty(); ++i)
+    if (m_list->item(i)->data(PresetList::kPathRole).toString() == selected) m_list->setCurrentRow(i);
 }
 
 }  // namespace dermis

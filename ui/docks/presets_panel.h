@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <memory>
 
 #include "ui/browse/preset_library.h"
 #include "ui/browse/thumbnail_maker.h"
@@ -17,6 +18,7 @@ class QToolButton;
 namespace dermis {
 
 class Document;
+class ListPlace;
 class Loading;
 class Preferences;
 class PresetList;
@@ -34,10 +36,12 @@ class PresetsPanel : public QWidget {
   void renameSelected(const QString& name);
   void setTagsOfSelected(const QStringList& tags);
   void trashSelected();
-  /// Puts a preset on a slot.
-  void apply(const QString& path, const QString& slot);
+  /// Puts a preset on slots, as one undo entry.
+  void apply(const QString& path, const QStringList& slots_);
 
  Q_SIGNALS:
+  /// The preset is to be seen beside what is worn now, `left`: instead of it.
+  void compareRequested(const QString& path, bool left);
   void saveRequested();
   void saveAsRequested();
 
@@ -68,6 +72,7 @@ class PresetsPanel : public QWidget {
   QLineEdit* m_search = nullptr;
   QComboBox* m_tag = nullptr;
   PresetList* m_list = nullptr;
+  std::unique_ptr<ListPlace> m_place;
   QLabel* m_nothing = nullptr;
   QLabel* m_worn = nullptr;
   QLabel* m_progress = nullptr;

@@ -5,10 +5,13 @@
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
+#include <QMimeData>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidgetAction>
 
 #include "ui/browse/preset_list.h"
+#include "ui/docks/slot_drag.h"
 #include "ui/document/document.h"
 #include "ui/rows/choice_editors.h"
 #include "ui/theme/metrics.h"
@@ -16,13 +19,20 @@
 namespace dermis {
 
 SlotChooser::SlotChooser(Document& document, QWidget* parent) : QWidget(parent), m_document(document) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(metrics::kGap);
+  auto* row = new QHBoxLayout();
   row->setSpacing(metrics::kGap);
+  column->addLayout(row);
+  m_drop = new SlotDropList(this);
+  column->addWidget(m_drop);
   m_slot = new QuietComboBox(this);
   m_slot->setObjectName(QStringLiteral("material.slot"));
   m_slot->setAccessibleName(tr("Material slot"));
-  m_slot->setToolTip(tr("The part of the model whose material is shown; a preset dragged here goes to it"));
+  m_slot->setToolTip(
+      tr("The part of the model whose material is shown; a preset dragged here goes to it, or to another slot of "
+         "the list that comes up"));
   m_slot->setAcceptDrops(true);
   m_slot->installEventFilter(this);
   m_together = new QToolButton(this);
@@ -53,6 +63,8 @@ SlotChooser::SlotChooser(Document& document, QWidget* parent) : QWidget(parent),
   one->setObjectName(QStringLiteral("material.together.one"));
   m_together->setMenu(m_menu);
 
+  connect(m_drop, &SlotDropList::dropped, this,
+          [this](const QMimeData* data, const QString& slot) { take(data, {slot}); });
   connect(m_slot, &QComboBox::textActivated, &m_document, &Document::setCurrentSlot);
   connect(m_list, &QListWidget::itemChanged, this, &SlotChooser::takeChecked);
   connect(all, &QAction::triggered, this, [this] { m_document.setEditedSlots(m_document.slotNames()); });
@@ -60,13 +72,29 @@ SlotChooser::SlotChooser(Document& document, QWidget* parent) : QWidget(parent),
   refresh();
 }
 
+bool SlotChooser::takes(const QMimeData* data) {
+  return !draggedPreset(data).isEmpty() || !draggedSlot(data).isEmpty();
+}
+
+void SlotChooser::take(const QMimeData* data, const QStringList& slots_) {
+  if (const QString preset = draggedPreset(data); !preset.isEmpty())
+    Q_EMIT presetDropped(preset, slots_);
+  else
+    m_document.dressAs(draggedSlot(data), slots_);
+}
+
 bool SlotChooser::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::DragEnter || event->type() == QEvent::Drop) {
+  if (event->type() == QEvent::DragLeave) m_drop->hideSoon();
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove || event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
-    const QString preset = draggedPreset(drop->mimeData());
-    if (!preset.isEmpty()) {
+    if (takes(drop->mimeData())) {
       drop->acceptProposedAction();
-      if (event->type() == QEvent::Drop) Q_EMIT presetDropped(preset);
+      if (event->type() == QEvent::DragEnter && m_slot->count() > 1)
+        m_drop->offer(m_document.slotNames(), m_document.currentSlot());
+      if (event->type() == QEvent::Drop) {
+        m_drop->hide();
+        take(drop->mimeData(), m_document.editedSlots());
+      }
       return true;
     }
   }

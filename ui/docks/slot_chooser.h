@@ -6,11 +6,13 @@
 class QComboBox;
 class QListWidget;
 class QMenu;
+class QMimeData;
 class QToolButton;
 
 namespace dermis {
 
 class Document;
+class SlotDropList;
 
 class SlotChooser : public QWidget {
   Q_OBJECT
@@ -19,20 +21,23 @@ class SlotChooser : public QWidget {
   void refresh();
 
  Q_SIGNALS:
-  /// A preset was dragged onto the box: it is for the slot that it shows.
-  void presetDropped(const QString& preset);
+  /// A preset was dragged onto the box, or onto one slot of the list that comes up below it.
+  void presetDropped(const QString& preset, const QStringList& slots_);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void takeChecked();
+  [[nodiscard]] static bool takes(const QMimeData* data);
+  void take(const QMimeData* data, const QStringList& slots_);
 
   Document& m_document;
   QComboBox* m_slot = nullptr;
   QToolButton* m_together = nullptr;
   QMenu* m_menu = nullptr;
   QListWidget* m_list = nullptr;
+  SlotDropList* m_drop = nullptr;
 };
 
 }  // namespace dermis

@@ -130,9 +130,8 @@ class Document : public QObject {
   /// The slot's material is now what `presetPath` holds, and `name` is what it is called there. Other slots that wear
   /// this preset, undo entries as well, differ from it by as much.
   void markPresetSaved(const QString& slot, const std::filesystem::path& presetPath, const std::string& name);
-  /// A preset's file has another path, and the preset another name; `from` and `to` may be the same.
-  void presetMoved(const std::string& from, const std::string& to, const std::string& oldName,
-                   const std::string& newName);
+  /// A preset's file was renamed or given tags; `from` and `to` may be the same.
+  void presetRewritten(const std::string& from, const std::string& to, const Material& before, const Material& after);
 
  Q_SIGNALS:
   void changed(dermis::Change what);

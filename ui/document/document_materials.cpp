@@ -230,11 +230,11 @@ void Document::markPresetSaved(const QString& slot, const std::filesystem::path&
   tell(Change::Material);
 }
 
-void Document::presetMoved(const std::string& from, const std::string& to, const std::string& oldName,
-                           const std::string& newName) {
-  m_presets.moved(from, to, oldName, newName);
+void Document::presetRewritten(const std::string& from, const std::string& to, const Material& before,
+                               const Material& after) {
+  m_presets.rewritten(from, to, before, after);
   if (!refreshPresets()) return;
-  markUnsaved();
+  if (from != to) markUnsaved();  // a scene's file names its presets
   tell(Change::Material);
 }
 

@@ -14,17 +14,18 @@ class PresetMemory {
  public:
   /// The file at `path` holds this now, as it was read or written. True where it was known to hold something else.
   bool holds(const std::string& path, const Material& content);
-  /// A file has another name, and so has the preset in it.
-  void moved(const std::string& from, const std::string& to, const std::string& oldName, const std::string& newName);
+  /// A preset's file was renamed or given tags: it looks as it did, under another name or with other metadata.
+  void rewritten(const std::string& from, const std::string& to, const Material& before, const Material& after);
   void clear();
 
-  /// Path, name and `edited` as they are now. True where anything changed.
+  /// Path, name, metadata and `edited` as they are now. True where anything changed.
   bool refresh(MaterialBinding& binding) const;
   bool refresh(SlotLook& look) const;
 
  private:
   struct Move {
     std::string to, oldName, newName;
+    nlohmann::ordered_json metadata;
   };
   std::map<std::string, std::shared_ptr<const Material>> m_contents;
   std::map<std::string, Move> m_moves;
