@@ -2,6 +2,7 @@
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
@@ -15,6 +16,7 @@
 #include "ui/browse/preset_list.h"
 #include "ui/docks/camera_panel.h"
 #include "ui/docks/diffusion_panel.h"
+#include "ui/docks/dropped_paths.h"
 #include "ui/docks/environment_panel.h"
 #include "ui/docks/history_panel.h"
 #include "ui/docks/lights_panel.h"
@@ -22,9 +24,11 @@
 #include "ui/docks/material_panel.h"
 #include "ui/docks/presets_panel.h"
 #include "ui/docks/rig_box.h"
+#include "ui/docks/slot_drag.h"
 #include "ui/docks/textures_panel.h"
 #include "ui/document/rig_edit.h"
 #include "ui/main_window/dock_layout.h"
+#include "ui/main_window/dropped_files.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/file_actions.h"
 #include "ui/main_window/message_bar.h"
@@ -34,6 +38,8 @@
 #include "ui/main_window/safety_net.h"
 #include "ui/main_window/view_tools.h"
 #include "ui/rows/accessible_values.h"
+#include "ui/rows/number_text.h"
+#include "ui/rows/property_row.h"
 #include "ui/text.h"
 #include "ui/viewport/pick_readout.h"
 #include "ui/viewport/viewport.h"
@@ -48,7 +54,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   m_files = new FileActions(m_document, m_loading, this);
   m_safetyNet = new SafetyNet(m_document, m_loading, this);
   m_exports = new Exports(m_document, m_tasks, *this);
-  m_pictures = new PictureScenes(m_document, m_tasks, *this);
+  m_pictures = new PictureScenes(m_loading, m_tasks, *this);
   buildCentre();
   buildDocks();
   buildStatusBar();
@@ -122,7 +128,8 @@ void MainWindow::buildStatusBar() {
   statusBar()->addPermanentWidget(m_progress);
   statusBar()->addPermanentWidget(m_cancel);
   connect(m_cancel, &QToolButton::clicked, this, [this] {
-    m_tasks.cancelAll();
+    m_exports->forgetWaiting();
+    m_loading.cancel();
     m_viewport->cancelJobs();
     m_pictureFraction = -1.0;
     refreshActivity();
@@ -137,13 +144,18 @@ void MainWindow::connectParts() {
   connect(m_viewport, &Viewport::message, this, &MainWindow::tell);
   connect(m_tools, &ViewTools::message, this, &MainWindow::tell);
   connect(m_exports, &Exports::message, this, &MainWindow::tell);
-  connect(m_pictures, &PictureScenes::message, this, &MainWindow::tell);
+  connect(&m_tasks, &TaskRunner::problem, this,
+          [this](const QString& sentence) { tell(MessageKind::Error, sentence); });
+  m_loading.setMayDiscard([this] { return m_files->mayDiscard(); });
   connect(m_exports, &Exports::progressed, this, [this](double fraction) {
     m_pictureFraction = fraction;
     refreshActivity();
   });
   connect(m_camera, &CameraPanel::problem, this,
           [this](const QString& sentence) { tell(MessageKind::Error, sentence); });
+  // A row tells what was pasted in vain, whichever dock it stands in.
+  for (PropertyRow* row : findChildren<PropertyRow*>())
+    connect(row, &PropertyRow::problem, this, [this](const QString& sentence) { tell(MessageKind::Error, sentence); });
   connect(m_viewport, &Viewport::jobProgress, this, [this](const QString& what, double fraction) {
     m_jobTitle = what;
     m_jobFraction = fraction;
@@ -153,11 +165,9 @@ void MainWindow::connectParts() {
   connect(&m_document, &Document::titleChanged, this, &MainWindow::refreshTitle);
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if ((what != Change::Everything && what != Change::Unit) || !m_document.isReady()) return;
-    // The embedded look stands in a window of any shape; a scene from a file keeps its camera.
-    if (what == Change::Everything && m_document.path().empty() && m_document.undoStack().count() == 0)
-      m_viewport->frameAll();
     refreshLengths();
   });
+  connect(&m_loading, &Loading::framingWanted, m_viewport, &Viewport::frameAll);
   connect(&m_preferences, &Preferences::changed, this, &MainWindow::refreshLengths);
   refreshLengths();
   connect(m_camera, &CameraPanel::viewRequested, m_viewport, &Viewport::showNamedView);
@@ -168,6 +178,9 @@ void MainWindow::connectParts() {
   connect(m_environment, &EnvironmentPanel::chooseFileRequested, m_files, &FileActions::chooseEnvironment);
   connect(m_environment->rigBox(), &RigBox::saveRequested, m_files, [this] { m_files->saveRig(m_tools->rig().rig()); });
   connect(m_material, &MaterialPanel::savePresetRequested, m_files, &FileActions::savePreset);
+  connect(m_presets, &PresetsPanel::compareRequested, m_tools, [this](const QString& path, bool left) {
+    m_tools->compareWithPreset(path.toStdString(), left ? ViewTools::Side::Left : ViewTools::Side::Right);
+  });
   connect(m_presets, &PresetsPanel::saveRequested, m_files, &FileActions::savePreset);
   connect(m_presets, &PresetsPanel::saveAsRequested, m_files, &FileActions::savePresetAs);
 }
@@ -230,7 +243,8 @@ void MainWindow::refreshLengths() {
   const Model& model = *m_document.model();
   const double height = static_cast<double>(model.bounds.max.y - model.bounds.min.y) *
                         static_cast<double>(m_document.millimetresPerUnit());
-  m_about->setText(tr("%L1 triangles   ·   %2 tall").arg(model.indices.size() / 3).arg(lengthText(height, unit)));
+  m_about->setText(
+      tr("%1 triangles   ·   %2 tall").arg(groupedNumber(model.indices.size() / 3)).arg(lengthText(height, unit)));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -238,6 +252,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
+  m_exports->forgetWaiting();
   m_tasks.cancelAll();
   m_docks->save();
   m_safetyNet->autosave().discard();
@@ -245,30 +260,45 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!draggedPreset(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!draggedPreset(event->mimeData()).isEmpty() || !draggedSlot(event->mimeData()).isEmpty())
+    event->acceptProposedAction();
   if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  if (const QString preset = draggedPreset(event->mimeData()); !preset.isEmpty()) {
-    // On the slot that is seen there; beside the model and beside the picture, on the current one.
-    const QPointF at = m_viewport->mapFrom(this, event->position());
-    if (m_viewport->rect().contains(at.toPoint())) m_tools->readout().selectSlot(at);
-    m_presets->apply(preset, m_document.currentSlot());
-    return;
-  }
-  for (const QUrl& url : event->mimeData()->urls()) {
-    if (!url.isLocalFile()) continue;
-    const QString path = url.toLocalFile();
-    const FileKind kind = fileKind(toPath(path));
-    const bool picture = kind == FileKind::Image || path.endsWith(QLatin1String(".exr"), Qt::CaseInsensitive);
-    if (picture)
-      m_pictures->offer(
-          toPath(path), [this] { return m_files->mayDiscard(); }, [this, path] { m_files->open(path); });
-    else
-      m_files->open(path);
-  }
+  // On the slot that is seen there, and on those edited with it; beside the picture, on the current ones.
+  const QPointF at = m_viewport->mapFrom(this, event->position());
+  const QString seen = m_viewport->rect().contains(at.toPoint()) ? m_tools->readout().slotAt(at) : QString();
+  if (const QString preset = draggedPreset(event->mimeData()); !preset.isEmpty())
+    m_presets->apply(preset, slotsFor(seen));
+  else if (const QString slot = draggedSlot(event->mimeData()); !slot.isEmpty() && !seen.isEmpty())
+    m_document.dressAs(slot, m_document.editedSlots().contains(seen) ? m_document.editedSlots() : QStringList{seen});
+  else
+    openDropped(localPaths(event->mimeData()), seen);
+}
+
+QStringList MainWindow::slotsFor(const QString& seen) {
+  if (!seen.isEmpty() && !m_document.editedSlots().contains(seen)) m_document.setCurrentSlot(seen);
+  return m_document.editedSlots();
+}
+
+void MainWindow::openDropped(const QStringList& paths, const QString& seen) {
+  std::vector<std::string> all;
+  for (const QString& slot : m_document.slotNames()) all.push_back(slot.toStdString());
+  const DropPlan plan = planDrop(paths, (seen.isEmpty() ? m_document.currentSlot() : seen).toStdString(), all);
+  for (const QString& path : plan.open) m_files->open(path);
+  if (!plan.maps.empty()) m_loading.assignByName(slotsFor(seen), plan.maps);
+  for (const QString& path : plan.pictures)
+    m_pictures->offer(
+        toPath(path), [this] { return m_files->mayDiscard(); }, [this, path] { m_files->open(path); });
+  QStringList names;
+  for (const QString& path : plan.leftOut) names << QFileInfo(path).fileName();
+  if (!names.isEmpty())
+    tell(MessageKind::Warning,
+         tr("Not opened: %1. Of each kind one file is taken, and a scene brings all its own; drop the others by "
+            "themselves.")
+             .arg(names.join(QStringLiteral(", "))));
 }
 
 }  // namespace dermis

@@ -77,6 +77,9 @@ class MainWindow : public QMainWindow {
   void refreshActivity();
   void tell(MessageKind kind, const QString& sentence);
   void askForPicture();
+  void openDropped(const QStringList& paths, const QString& seen);
+  /// What a drop on the slot `seen` goes to: it becomes the edited one, unless it is edited together with others.
+  QStringList slotsFor(const QString& seen);
   /// What shows a length of the model says it in the unit of the preferences.
   void refreshLengths();
 
