@@ -1,5 +1,6 @@
 #include "ui/main_window/message_bar.h"
 
+#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -40,9 +41,14 @@ void MessageBar::showMessage(MessageKind kind, const QString& sentence) {
                         .pixmap(16, 16));
   m_text->setText(sentence);
   m_text->setAccessibleName(sentence);
+  setAccessibleName(sentence);
   m_leave.stop();
   if (kind != MessageKind::Error) m_leave.start(6000);
+  // Read out at once: nobody who doesn't see it looks here by himself. A second sentence comes up as the first did.
+  hide();
   show();
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 QString MessageBar::message() const { return isVisible() ? m_text->text() : QString(); }

@@ -112,6 +112,8 @@ QAccessibleInterface* makeInterface(const QString& className, QObject* object) {
   // What is drawn, or pressed, is no mere box.
   if (className == QLatin1String("dermis::Viewport"))
     return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::Canvas);
+  if (className == QLatin1String("dermis::MessageBar"))  // read out when it comes up
+    return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::AlertMessage);
   if (className == QLatin1String("QKeySequenceEdit"))
     return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::HotkeyField);
   if (auto* picker = qobject_cast<ColourPicker*>(object)) return new AccessiblePicker(picker);
