@@ -120,8 +120,8 @@ PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
 float skinRoughness(const SkinPlace& at, const Look& look) {
   // Sebum makes the middle of the face glossier (Weyrich et al. 2006, "Analysis of Human Faces using a
   // Measurement-Based Skin Reflectance Model": nose and forehead have the narrowest lobes, cheeks and chin wider ones).
-  float roughness = 0.49F - 0.05F * at[Forehead] - 0.08F * at[Nose] - 0.04F * at[Chin] - 0.03F * at[TZone] -
-                    0.04F * at[NoseTip] - 0.03F * at[UpperLid] + 0.03F * at[Neck] - 0.04F * at[Scalp] +
+  float roughness = 0.49F - 0.05F * at[Forehead] - 0.06F * at[Nose] - 0.04F * at[Chin] - 0.03F * at[TZone] -
+                    0.02F * at[NoseTip] - 0.03F * at[UpperLid] + 0.03F * at[Neck] - 0.04F * at[Scalp] +
                     0.05F * aged(look);
   roughness += 0.03F * fractal(at.p / 6.0F, 2, look.seed + 100) + 0.02F * noise(at.p / 1.4F, look.seed + 101);
   if (at[Lips] > 0.0F) roughness = glm::mix(roughness, 0.36F + 0.05F * noise(at.p / 1.2F, look.seed + 102), at[Lips]);
