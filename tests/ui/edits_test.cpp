@@ -28,10 +28,10 @@ class Edits : public Editor {
     const QImage before = picture();
     const Scene start = document().scene();
     const Camera camera = document().camera();
-    const int entries = undo().count();
+    const int steps = undo().index();
     hand();
     ASSERT_TRUE(waitIdle());
-    EXPECT_EQ(undo().count(), entries + 1);
+    EXPECT_EQ(undo().index(), steps + 1);
     EXPECT_TRUE(document().scene() != start || document().camera() != camera);
     EXPECT_GT(meanDifference(before, picture()), least);
     undo().undo();
@@ -70,6 +70,7 @@ TEST_F(Edits, ATypedNumber) {
 TEST_F(Edits, TicksOfTheWheelOnASlider) {
   ValueSlider* handle = slider("specular.perceptual_roughness");
   handle->setFocus();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return handle->hasFocus(); }, 3000));
   expectOneStep([&] {
     for (int i = 0; i < 10; ++i) {
       const QPointF at = handle->rect().center();

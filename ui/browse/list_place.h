@@ -20,6 +20,9 @@ class ListPlace : public QObject {
   /// It has been filled again.
   void settle();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   /// A list that isn't seen has nothing to scroll: its place waits until it is laid out.
   void apply();

@@ -154,11 +154,13 @@ void DockLayout::toggleAll() {
 
 void DockLayout::toggleFloating() {
   if (!m_used || m_used->isHidden()) return;
-  QWidget* focus = m_used->focusWidget();
-  m_used->setFloating(!m_used->isFloating());
-  m_used->raise();
-  m_used->activateWindow();
+  QDockWidget* dock = m_used;
+  QWidget* focus = dock->focusWidget();
+  dock->setFloating(!dock->isFloating());
+  dock->raise();
+  dock->activateWindow();
   if (focus != nullptr) focus->setFocus();
+  m_used = dock;  // on its way the focus may have been elsewhere
 }
 
 void DockLayout::refreshTitleBars() {
