@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
-#include <QWheelEvent>
 #include <functional>
 
 #include "ui/docks/lights_panel.h"
@@ -64,19 +63,6 @@ TEST_F(Edits, ATypedNumber) {
     QTest::keyClicks(field, QStringLiteral("0,9"));
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_FLOAT_EQ(document().currentLook()->worn.material.parameters.specularPerceptualRoughness, 0.9F);
-  });
-}
-
-TEST_F(Edits, TicksOfTheWheelOnASlider) {
-  ValueSlider* handle = slider("specular.perceptual_roughness");
-  handle->setFocus();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return handle->hasFocus(); }, 3000));
-  expectOneStep([&] {
-    for (int i = 0; i < 10; ++i) {
-      const QPointF at = handle->rect().center();
-      QWheelEvent wheel(at, handle->mapToGlobal(at), {}, {0, 240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
-      QApplication::sendEvent(handle, &wheel);
-    }
   });
 }
 
