@@ -2,12 +2,32 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/commands/commands.h"
+#include "core/builtin/environments.h"
 #include "core/light_rig/rig_fields.h"
+#include "core/material/builtin_presets.h"
 #include "core/material/parameter_docs.h"
+#include "core/scene/cameras.h"
 
 namespace dermis::cli {
+namespace {
+
+/// Those of the parameters, and those of what the program carries: views, light, presets.
+std::vector<std::string> wordsOfTables() {
+  std::vector<std::string> words = tableWords();
+  const auto add = [&](std::string_view word) {
+    if (!word.empty() && std::ranges::find(words, word) == words.end()) words.emplace_back(word);
+  };
+  for (const NamedCameraRow& row : namedCameras()) add(row.label);
+  for (const BuiltinEnvironmentRow& row : builtinEnvironments())
+    for (const std::string& word : {row.label, row.sentence}) add(word);
+  for (const BuiltinPreset& preset : builtinPresets()) add(preset.name);
+  return words;
+}
+
+}  // namespace
 
 void addParameters(CLI::App& root, Action& action) {
   struct Options {
@@ -35,7 +55,7 @@ Examples:
   dermis parameters --rigs --schema > dermis.rig.schema.json)");
   command->callback([options, &action] {
     action = [options]() -> Outcome<int> {
-      std::string text = options->words      ? fmt::format("{}", fmt::join(tableWords(), "\n"))
+      std::string text = options->words      ? fmt::format("{}", fmt::join(wordsOfTables(), "\n"))
                          : options->rigs     ? (options->schema ? rigsAsJsonSchema() : rigsAsMarkdown())
                          : options->json     ? parametersAsJson()
                          : options->markdown ? parametersAsMarkdown()

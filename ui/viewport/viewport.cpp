@@ -130,10 +130,18 @@ RendererOptions Viewport::rendererOptions() const {
 }
 
 void Viewport::releaseRenderer() {
-  if (!m_renderer || !takeContext()) return;
+  if (!m_renderer) return;
+  makeCurrent();
+  if (contextIsLost()) return letGo();
   m_compared.reset();
   m_renderer.reset();
   doneCurrent();
+}
+
+void Viewport::letGo() {
+  static_cast<void>(m_compared.release());
+  static_cast<void>(m_renderer.release());
+  m_jobsLeft = false;
 }
 
 bool Viewport::contextIsLost() const { return context() == nullptr || !context()->isValid(); }
@@ -146,11 +154,8 @@ bool Viewport::takeContext() {
 }
 
 void Viewport::loseRenderer() {
-  // Nothing on the graphics card is left to be given back, and no call reaches it: what was there is let go of as it
-  // is. Qt makes another context and calls initializeGL() where the driver lets it.
-  static_cast<void>(m_compared.release());
-  static_cast<void>(m_renderer.release());
-  m_jobsLeft = false;
+  // Qt makes another context and calls initializeGL() where the driver lets it.
+  letGo();
   m_contextWasLost = true;
   showProblem(
       tr("The graphics driver was reset. If the picture doesn't come back, save the scene and start Dermis "

@@ -110,12 +110,14 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   bool event(QEvent* event) override;
-  /// Whether the driver has taken the context away, as after a reset of the graphics card.
-  [[nodiscard]] virtual bool contextIsLost() const;
 
  private:
   enum class Drag { None, Orbit, Pan, Zoom, Look, TurnEnvironment };
   void releaseRenderer();
+  /// Leaves what was on the graphics card as it is: nothing there can be given back, and no call reaches it.
+  void letGo();
+  /// Whether the driver has taken the context away, as after a reset of the graphics card.
+  [[nodiscard]] bool contextIsLost() const;
   /// Makes the context current; false where there is none any more.
   bool takeContext();
   void loseRenderer();
