@@ -64,10 +64,10 @@ TEST_F(Rows, BackgroundAndLensAreReset) {
   EXPECT_TRUE(row("camera.orthographic")->isModified());
   EXPECT_TRUE(row("camera.orthographic_height")->isModified());
   row("camera.orthographic_height")->reset();
-  EXPECT_NEAR(*document().camera().orthographicHeight,
-              2.0F * glm::length(camera.position - camera.target) *
-                  std::tan(0.5F * glm::radians(camera.verticalFovDegrees)),
-              1e-4F);
+  EXPECT_NEAR(
+      *document().camera().orthographicHeight,
+      2.0F * glm::length(camera.position - camera.target) * std::tan(0.5F * glm::radians(camera.verticalFovDegrees)),
+      1e-4F);
   row("camera.orthographic")->reset();
   EXPECT_FALSE(document().camera().orthographicHeight.has_value());
 }

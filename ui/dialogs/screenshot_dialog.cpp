@@ -168,8 +168,8 @@ void ScreenshotDialog::choosePreset(int index) {
 }
 
 void ScreenshotDialog::chooseFile() {
-  const QString path = askWhereToSave(this, tr("Save a picture"), m_path->text(),
-                                      tr("Pictures (*.png *.exr *.jpg *.tif)"), endings());
+  const QString path =
+      askWhereToSave(this, tr("Save a picture"), m_path->text(), tr("Pictures (*.png *.exr *.jpg *.tif)"), endings());
   if (path.isEmpty()) return;
   m_agreed = path;
   m_path->setText(path);
@@ -178,8 +178,7 @@ void ScreenshotDialog::chooseFile() {
 void ScreenshotDialog::accept() {
   const PictureRequest wanted = request();
   // Of a turntable's frames the first stands for all.
-  const std::filesystem::path file =
-      wanted.kind == PictureKind::Turntable ? framePath(wanted.path, 0) : wanted.path;
+  const std::filesystem::path file = wanted.kind == PictureKind::Turntable ? framePath(wanted.path, 0) : wanted.path;
   const bool agreed = wanted.path.empty() || pathText(file) == m_agreed;
   if (agreed || mayWriteOver(pathText(file), this)) QDialog::accept();
 }

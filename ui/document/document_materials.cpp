@@ -82,9 +82,8 @@ void Document::commitLook(const QString& slot, SlotLook after, const QString& te
 
 void Document::setParameter(const QString& slot, std::string_view id, const ParameterValue& value, Gesture gesture) {
   if (const ParameterRow* row = findParameter(id))
-    setParameters({{slot, row, value}},
-                  tr("%1 › %2 of %3").arg(tableText(row->group), tableText(row->label), slot), dermis::text(id),
-                  gesture);
+    setParameters({{slot, row, value}}, tr("%1 › %2 of %3").arg(tableText(row->group), tableText(row->label), slot),
+                  dermis::text(id), gesture);
 }
 
 void Document::setParameters(const std::vector<ParameterEdit>& edits, const QString& text, const QString& key,

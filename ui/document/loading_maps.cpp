@@ -63,9 +63,9 @@ void Loading::assignTexture(const QStringList& slots_, TextureSlot texture, cons
     binding.path = setOrFile(path).string();
     edits.push_back({slot, texture, binding, nullptr});
   }
-  bindMaps(
-      std::move(edits),
-      tr("Assign %1 map to %2").arg(tableText(textureSlotRow(texture).label).toLower(), slots_.join(QStringLiteral(", "))));
+  bindMaps(std::move(edits),
+           tr("Assign %1 map to %2")
+               .arg(tableText(textureSlotRow(texture).label).toLower(), slots_.join(QStringLiteral(", "))));
 }
 
 void Loading::bindMaps(std::vector<TextureEdit> edits, const QString& text) {

@@ -26,9 +26,7 @@ void visit(Values& v, Visit item) {
 }  // namespace
 
 QString lengthText(double millimetres, LengthUnit unit, int moreDecimals) {
-  const auto number = [&](double value) {
-    return QString::number(value, 'f', (value < 100.0 ? 1 : 0) + moreDecimals);
-  };
+  const auto number = [&](double value) { return QString::number(value, 'f', (value < 100.0 ? 1 : 0) + moreDecimals); };
   switch (unit) {
     case LengthUnit::Centimetres:
       return QCoreApplication::translate("Length", "%1 cm").arg(number(millimetres / 10.0));

@@ -23,9 +23,7 @@ FlyKeys::FlyKeys(QObject* parent) : QObject(parent) {
   add("fly.back", tr("Fly back"), Qt::Key_S);
 }
 
-int FlyKeys::keyOf(const QAction& action) {
-  return action.shortcut().isEmpty() ? -1 : action.shortcut()[0].key();
-}
+int FlyKeys::keyOf(const QAction& action) { return action.shortcut().isEmpty() ? -1 : action.shortcut()[0].key(); }
 
 bool FlyKeys::press(const QKeyEvent& event) {
   if (!std::ranges::any_of(m_actions, [&](const QAction* action) { return keyOf(*action) == event.key(); }))

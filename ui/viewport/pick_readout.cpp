@@ -98,9 +98,7 @@ void PickReadout::pin(const QPointF& at) {
   m_viewport.updateOverlay();
 }
 
-void PickReadout::pinHere() {
-  pin(m_at.value_or(QRectF(m_viewport.rect()).center()));
-}
+void PickReadout::pinHere() { pin(m_at.value_or(QRectF(m_viewport.rect()).center())); }
 
 void PickReadout::clearPins() {
   m_pins.clear();
