@@ -21,6 +21,25 @@
     </message>
 </context>
 <context>
+    <name>ListKeys</name>
+    <message>
+        <source>In lists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>QObject</name>
     <message>
         <source>&lt;br&gt;&lt;br&gt;Range %1 to %2 %3</source>
@@ -97,6 +116,49 @@
     </message>
 </context>
 <context>
+    <name>dermis::CameraMenu</name>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Closer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dermis::CameraPanel</name>
     <message>
         <source>Lens</source>
@@ -116,10 +178,6 @@
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Height of the picture in scene units</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -147,10 +205,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stops applied to the picture before the view transform</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Image shown</source>
         <translation type="unfinished"></translation>
     </message>
@@ -160,6 +214,18 @@
     </message>
     <message>
         <source>Bookmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without perspective: what is farther away is no smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of what the picture shows, in scene units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops applied to the picture before the view transform; the light stays as it is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -418,6 +484,10 @@ sRGB %4</source>
         <source>Unit of the model</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Dress %1 as %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::EnvironmentList</name>
@@ -530,13 +600,21 @@ sRGB %4</source>
         <source>Background colour</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Stops by which the environment&apos;s light is brighter, and what of it is seen behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is seen behind the model: the environment, its irradiance, the environment blurred, one colour, or nothing, which a saved picture keeps as alpha 0. The light is the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one colour behind the model</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::Exports</name>
-    <message>
-        <source>a picture</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>Drawing %1</source>
         <translation type="unfinished"></translation>
@@ -551,6 +629,14 @@ sRGB %4</source>
     </message>
     <message>
         <source>Copied a picture of %1 × %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 follows when the picture before it is done</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -642,6 +728,45 @@ sRGB %4</source>
     </message>
     <message>
         <source>Clear list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save light rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light rigs (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::FlyKeys</name>
+    <message>
+        <source>While the right button is held in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -823,6 +948,13 @@ sRGB %4</source>
     </message>
     <message>
         <source>saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::HoldKey</name>
+    <message>
+        <source>While a key is held</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1040,6 +1172,82 @@ sRGB %4</source>
         <source>There are %1 lights, as many as a scene takes</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Duplicate the selected light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F2 or a double click renames a light, Ctrl+D duplicates it, Delete removes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it shines: a point to all sides, a directional light from one side everywhere, a spot in a cone, a sphere and a rectangle from all of their surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of the light; its brightness multiplies the intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiant intensity of the light, which falls off with the square of the distance in scene units; of a directional light its irradiance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lamp itself is seen in the picture and in reflections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the model stops this light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the light is, in scene units: +Y is up, +Z the side of the built-in cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way the light travels; of any length but 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half angle of the cone that is lit wholly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half angle of the cone outside of which nothing is lit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius of the sphere; of other lights, of the lamp that is seen. Larger makes softer shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width and height of the rectangle. Larger makes softer shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The light moves by itself: around the target, or to and fro</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far it moves, in scene units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How fast it moves; negative, the other way round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::Loading</name>
@@ -1092,14 +1300,6 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not used: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No file there has a map&apos;s name, such as head_albedo.png or head_normal.png.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1134,6 +1334,10 @@ sRGB %4</source>
         <translation type="unfinished">
             <numerusform></numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Opening the scene of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1298,10 +1502,6 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>hold N</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Light</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1374,11 +1574,78 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%L1 triangles   ·   %2 tall</source>
+        <source>Model &amp;unit…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Model &amp;unit…</source>
+        <source>%1 triangles   ·   %2 tall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not opened: %1. Of each kind one file is taken, and a scene brings all its own; drop the others by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a &amp;folder of maps…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See without subsurface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hold %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Float or dock the panel in use</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::MatchReport</name>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, channel %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, inverted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, green flipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model %1 has no %2 map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no map&apos;s name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>names another slot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another file is better for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no opacity map of its own; put it in the alpha of the albedo map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the model %1 has no opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not used: %1 (%2)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1471,11 +1738,22 @@ sRGB %4</source>
         <source>%1 › %2 of %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drag it onto a part in the picture, or onto the box of slots: that part wears the same</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::MessageBar</name>
     <message>
         <source>Close the message</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::ModelPicker</name>
+    <message>
+        <source>The model can&apos;t be pointed at: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1533,15 +1811,15 @@ sRGB %4</source>
 <context>
     <name>dermis::ModifiedDot</name>
     <message>
-        <source>Differs from the default</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Changed since the preset was applied</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The chosen slots have different values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Differs from the default; a double-click brings that back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed since the preset was applied; a double-click brings the default back</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1607,10 +1885,6 @@ sRGB %4</source>
     </message>
     <message>
         <source>Use as environment</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Opening the scene of %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1877,13 +2151,21 @@ sRGB %4</source>
         <source>Drawing thumbnails: %1 of %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The preset %1 could not be read; put the file back and revert to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Compare with this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare &amp;others with this (left side)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::ProgramActions</name>
-    <message>
-        <source>Without subsurface, while it is held</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>&amp;Preferences…</source>
         <translation type="unfinished"></translation>
@@ -1902,10 +2184,6 @@ sRGB %4</source>
     </message>
     <message>
         <source>&amp;What is this?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Moving the key light, while it is held</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2094,9 +2372,203 @@ sRGB %4</source>
     </message>
 </context>
 <context>
+    <name>dermis::RigBox</name>
+    <message>
+        <source>Light rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light rig › Element</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the rig&apos;s lights the fields below are for; a click on its handle chooses it too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a light of the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether this light of the rig shines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About the vertical: 0° is the side of the built-in cameras, 90° the subject&apos;s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above the horizon: 90° is overhead, below 0° is under the subject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across, or the diameter of what is round; in metres, or in degrees as the subject sees it. From 0.001 m or 0.01° upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upwards; in metres, or in degrees as the subject sees it. From 0.001 m or 0.01° upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radiance of the brightest place, or what the rig&apos;s file says instead: irradiance, cd/m² or lux; of a sky, a factor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save rig as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light rig › Save as a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the rig as it is now to a .json file of its own; what the program carries stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 in the light rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light on or off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, changed; kept in the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::RigEdit</name>
+    <message>
+        <source>Lighting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::RigGizmos</name>
+    <message>
+        <source>Size in the light rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place in the light rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brightness in the light rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::RigMarks</name>
+    <message>
+        <source>Softbox</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dome</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overcast sky</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky and sun</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::RowHelp</name>
+    <message>
+        <source>Range %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From %1 upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Linear Rec.709, each channel from 0 upwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dermis::SaturationSquare</name>
     <message>
         <source>Saturation and value</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::SaveDialog</name>
+    <message>
+        <source>File exists</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replacing it loses what is in it now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2350,10 +2822,6 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The part of the model whose material is shown; a preset dragged here goes to it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edit several slots together</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2381,6 +2849,17 @@ sRGB %4</source>
     </message>
     <message>
         <source>Together…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part of the model whose material is shown; a preset dragged here goes to it, or to another slot of the list that comes up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::SlotDropList</name>
+    <message>
+        <source>Drop on a slot</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2435,6 +2914,13 @@ sRGB %4</source>
     </message>
     <message>
         <source>Double-click compares, F2 renames</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>dermis::TaskRunner</name>
+    <message>
+        <source>%1 did not succeed: %2.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2588,6 +3074,30 @@ sRGB %4</source>
         <source>Copy path</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>UDIM, %1 tile, %2 × %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDIM, %1 tiles, %2 × %3 each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the file&apos;s numbers are read: automatic goes by the map and the kind of file, linear is Rec.709, raw changes nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which channel of the file holds the value, as in packed maps; luminance weighs red, green and blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How often the map repeats across; a map that repeats otherwise upwards keeps its shape. 0.001 to 1000</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the map&apos;s value is multiplied with; of a normal map, how steep it is. −1000 to 1000</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::TexturesPanel</name>
@@ -2633,6 +3143,18 @@ sRGB %4</source>
     </message>
     <message>
         <source>Maps of “%1”. Drop a folder to match files by name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder of maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder: its files find their maps by name, such as head_albedo.png</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2722,6 +3244,30 @@ sRGB %4</source>
         <source>&amp;End comparison</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Move the key light with the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mov&amp;e the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ruler from or to the middle of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model is not in the middle of the picture: turn or move the camera until what is to be measured is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split further &amp;left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split further &amp;right</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::Viewport</name>
@@ -2751,6 +3297,19 @@ sRGB %4</source>
     </message>
     <message>
         <source>Rotate environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset and the picture is made anew; the scene has lost nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset. If the picture doesn&apos;t come back, save the scene and start Dermis again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 fps   %2 ms   %3/%4</source>
+        <comment>pictures a second, time of one, samples of how many</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3401,6 +3960,238 @@ sRGB %4</source>
     </message>
     <message>
         <source>Detail mask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing shaders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sending maps to the graphics driver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring thickness and occlusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three-quarter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Top left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bottom left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Studio, three-point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A large warm key from the left, a slightly cooler fill, a reflector below, rims from behind, a bank overhead; dark walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clamshell beauty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A beauty dish above the camera, a reflector below it, soft kickers behind: even skin and clear eyes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rim on dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two tall strips behind the subject, warm and cool, and a dark front: outlines, and light through ears.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window daylight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tall window on the left, a dim warm room on the right: the light of painters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CIE standard overcast sky over grey ground: light without a direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Golden hour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A low sun from the left under a clear sky, over dry grass.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clinic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White walls and ceiling panels: flat, neutral light in which colours can be judged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Night street</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A warm lamp overhead, a cool shop window, a neon sign behind, and lamps far down the street.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin tone I</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin tone II</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin tone III</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin tone IV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin tone V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin tone VI</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin, elderly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin, flushed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin, freckled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin, pale and thin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, aged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, flushed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, tone I</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, tone II</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, tone III</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, tone IV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, tone V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face, tone VI</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jade</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Milk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wax</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thesis: eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thesis: face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: mirror sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: rougher</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: very rough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: very rough gold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: very rough silver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: very specular</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lab: very specular gold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thesis: lens</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
