@@ -2,12 +2,12 @@
 #include <QDockWidget>
 #include <QLayout>
 #include <QOpenGLContext>
-#include <QProcess>
 #include <cmath>
 #include <cstdlib>
 
 #include "ui/editor_fixture.h"
 #include "ui/main_window/view_tools.h"
+#include "ui/scale_process.h"
 #include "ui/snapshots/snapshots.h"
 #include "ui/viewport/light_gizmos.h"
 
@@ -94,16 +94,8 @@ TEST_F(Robust, AtThisScaleFactor) {
 }
 
 TEST(ScaleFactors, TheViewportHasAllThePixelsOfTheScreen) {
-  for (const char* factor : {"1.25", "2"}) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QLatin1String(factor));
-    process.setProcessEnvironment(environment);
-    process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--gtest_filter=Robust.AtThisScaleFactor")});
-    ASSERT_TRUE(process.waitForFinished(2 * kPatienceMs)) << factor;
-    EXPECT_EQ(process.exitCode(), 0) << factor << process.readAll().toStdString();
-  }
+  for (const char* factor : {"1.25", "2"})
+    EXPECT_TRUE(test::passesAtScale(factor, QStringLiteral("Robust.AtThisScaleFactor"), 1, 2 * kPatienceMs));
 }
 
 }  // namespace

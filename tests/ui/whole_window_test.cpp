@@ -1,6 +1,5 @@
 // The whole window elsewhere: on screens of other scale factors, and where a comma is the decimal sign.
 #include <QLabel>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QStatusBar>
@@ -8,6 +7,7 @@
 #include "core/scene/scene_io.h"
 #include "ui/editor_fixture.h"
 #include "ui/main_window/dock_layout.h"
+#include "ui/scale_process.h"
 
 namespace dermis {
 namespace {
@@ -60,20 +60,9 @@ TEST_F(AtScale, AScreenWithOtherPixelsIsToldOf) {
 }
 
 TEST(ScaleFactors, GesturesAndDocksWorkAndTheWindowFits) {
-  for (const char* factor : {"1.25", "2"}) {
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QLatin1String(factor));
-    process.setProcessEnvironment(environment);
-    process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(QCoreApplication::applicationFilePath(),
-                  {QStringLiteral("--gtest_filter=AtScale.*:Gestures.TheMiddle*:Gestures.ADouble*:Gestures.Shift*:"
-                                  "Docking.CtrlTabHides*:Docking.AnEdit*")});
-    ASSERT_TRUE(process.waitForFinished(5 * kPatienceMs)) << factor;
-    const std::string said = process.readAll().toStdString();
-    EXPECT_EQ(process.exitCode(), 0) << factor << said;
-    EXPECT_NE(said.find("8 tests"), std::string::npos) << factor << said;
-  }
+  const QString filter = QStringLiteral(
+      "AtScale.*:Gestures.TheMiddle*:Gestures.ADouble*:Gestures.Shift*:Docking.CtrlTabHides*:Docking.AnEdit*");
+  for (const char* factor : {"1.25", "2"}) EXPECT_TRUE(test::passesAtScale(factor, filter, 8, 5 * kPatienceMs));
 }
 
 // --- a decimal comma
