@@ -14,10 +14,10 @@ void Editor::SetUp() {
   if (!window) {
     window = std::make_unique<MainWindow>();
     window->resize(1100, 700);
-    window->viewport()->setTargetSamples(1);
     // Whoever tests thumbnails draws one; nobody else wants the machine busy with them.
     window->findChild<PresetsPanel*>()->thumbnails().setEnabled(false);
   }
+  window->viewport()->setTargetSamples(1);  // each time: another test may have applied preferences
   window->messageBar()->hide();
   window->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatienceMs));
