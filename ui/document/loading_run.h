@@ -21,7 +21,7 @@ void Loading::run(const QString& lane, const QString& title, Work work, Done don
           QMetaObject::invokeMethod(
               tasks, [tasks, lane, fraction] { tasks->setFraction(lane, fraction); }, Qt::QueuedConnection);
         };
-        options.stop = stop;
+        options.stop = std::move(stop);
         options.cache = cache;
         options.keepMissingMaps = true;
         Warnings warnings;

@@ -27,14 +27,14 @@ class TaskRunner : public QObject {
   /// `work` runs beside, `done` here with what it returned, unless the task was cancelled or replaced. `work` returns
   /// something copyable. Where it throws, `problem` is told and `broken` called instead of `done`.
   template <class Work, class Done>
-  void run(const QString& lane, const QString& title, Work work, Done done, std::function<void()> broken = {}) {
+  void run(const QString& lane, const QString& title, Work work, Done done, const std::function<void()>& broken = {}) {
     start(
         lane, title,
         [work = std::move(work), done = std::move(done)](std::stop_token stop) mutable -> std::function<void()> {
           auto result = std::make_shared<decltype(work(stop))>(work(stop));
           return [result, done = std::move(done)]() mutable { done(std::move(*result)); };
         },
-        std::move(broken));
+        broken);
   }
 
   void cancel(const QString& lane);

@@ -27,7 +27,7 @@ std::vector<std::filesystem::path> mapsAmong(const QStringList& pictures, const 
   for (const TextureLeftOver& left : matches.leftOver)
     if (left.why != TextureLeftOver::Why::NoMapsName) named.push_back(left.path);
   std::ranges::sort(named);
-  named.erase(std::ranges::unique(named).begin(), named.end());
+  named.erase(std::unique(named.begin(), named.end()), named.end());
   return named;
 }
 

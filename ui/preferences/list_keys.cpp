@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QWidget>
 
 #include "ui/preferences/shortcuts.h"
 
