@@ -30,7 +30,12 @@ std::vector<std::byte> keyOf(const FrameContext& frame, std::size_t slot, const 
   append(key, block.environmentScale);
   append(key, shadowRevision);
   append(key, resources.draw);
-  key.insert(key.end(), resources.materialBytes.begin(), resources.materialBytes.end());
+  // Of the material only what skin.glsl's farSideWithLamps asks: a slider that changes how it reflects keeps the surface.
+  const MaterialParameters& asked = frame.scene.slots[slot].material.parameters;
+  append(key, asked.transmissionThicknessSource);
+  append(key, asked.transmissionThicknessMinMm);
+  append(key, asked.transmissionThicknessMaxMm);
+  append(key, asked.transmissionNormalScale);
   append(key, resources.textures[static_cast<std::size_t>(TextureSlot::Thickness)].get());
   return key;
 }

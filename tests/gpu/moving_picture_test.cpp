@@ -216,15 +216,15 @@ TEST_F(MovingPicture, WhatIsKeptOfTheLastFrameIsWhatWouldBeDrawnAnew) {
       bool changesGeometry;
     };
     const std::vector<Edit> edits = {
-        {"roughness", [&] { skin.specularPerceptualRoughness += 0.2F; }, true, false},
+        {"roughness", [&] { skin.specularPerceptualRoughness += 0.2F; }, false, false},
         {"scale", [&] { skin.subsurfaceScale *= 3.0F; }, true, false},
-        {"normal strength", [&] { skin.surfaceNormalStrength = 0.2F; }, true, false},
+        {"normal strength", [&] { skin.surfaceNormalStrength = 0.2F; }, false, false},
         {"thickness", [&] { skin.transmissionThicknessMaxMm = 4.0F; }, true, false},
         {"tint",
          [&] {
            skin.transmissionTint.rgb = {1.0F, 0.2F, 0.2F};
          },
-         true, false},
+         false, false},
         {"exposure", [&] { scene.scene.environment.exposureStops = 1.0F; }, true, true},
         {"rotation", [&] { scene.scene.environment.rotationDegrees = 70.0F; }, true, true},
         {"background", [&] { scene.scene.environment.background.kind = BackgroundKind::Color; }, false, true},

@@ -23,7 +23,22 @@ struct BodyLight {
   float least_mm;
 };
 
-void lampThrough(int number, Layer layer, SlabScattering scattering, vec3 position, vec3 normal, bool from_shadow, float thickness_mm,
+// What the layer lets into the body of a lamp's light.
+#ifdef DERMIS_FAR_LAMPS
+// At vertices its mean over the hemisphere: a reflection's parameters then change nothing there (VertexLight's key).
+struct Entrance {
+  vec3 share;
+};
+vec3 letIn(Entrance entrance, float cosine) { return entrance.share; }
+#else
+struct Entrance {
+  Layer layer;
+  vec3 body_in;
+};
+vec3 letIn(Entrance entrance, float cosine) { return entrance.body_in * bodyTransmittance(entrance.layer, cosine); }
+#endif
+
+void lampThrough(int number, Entrance entrance, SlabScattering scattering, vec3 position, vec3 normal, bool from_shadow, float thickness_mm,
                  inout BodyLight sum) {
   LightSample light = lightAt(number, position);
   float cosine = clamp(-dot(normal, light.to_light), 0.0, 1.0);
@@ -45,23 +60,23 @@ void lampThrough(int number, Layer layer, SlabScattering scattering, vec3 positi
     lit = 1.0 - smoothstep(thickness_mm + 2.0, 2.0 * (thickness_mm + 2.0), rest);
     through_mm = thickness_mm + rest * cosine;
   }
-  sum.light += light.irradiance * cosine * lit * bodyTransmittance(layer, cosine) * slabShares(scattering, through_mm).transmitted;
+  sum.light += light.irradiance * cosine * lit * letIn(entrance, cosine) * slabShares(scattering, through_mm).transmitted;
 }
 
 // Light of the lamps that comes through the body, as irradiance/π: times body_out it is radiance. `normal` is the vertex normal of the
 // side that is seen; the far side faces the other way. Where the thickness is the shadows' to tell, each lamp has its own, and
 // `thickness_mm` becomes the least of them as far as nothing else is known.
-vec3 lampsThrough(Layer layer, LayerPoint p, SlabScattering scattering, vec3 position, vec3 normal, bool known, inout float thickness_mm) {
+vec3 lampsThrough(Entrance entrance, SlabScattering scattering, vec3 position, vec3 normal, bool known, inout float thickness_mm) {
   BodyLight through = BodyLight(vec3(0.0), thickness_mm);
   bool from_shadow = u_material.transmission_thickness_source == kThicknessFromShadow;
   vec3 transmitted = slabShares(scattering, thickness_mm).transmitted;
   if (from_shadow || max(transmitted.r, max(transmitted.g, transmitted.b)) >= 1e-5) {
-#define ADD_LAMP(number) lampThrough(number, layer, scattering, position, normal, from_shadow, thickness_mm, through);
+#define ADD_LAMP(number) lampThrough(number, entrance, scattering, position, normal, from_shadow, thickness_mm, through);
     EACH_LIGHT(ADD_LAMP)
 #undef ADD_LAMP
   }
   if (from_shadow && !known) thickness_mm = through.least_mm;
-  return through.light * kInversePi * p.body_in;
+  return through.light * kInversePi;
 }
 
 #ifdef DERMIS_FAR_LAMPS
@@ -72,16 +87,13 @@ vec4 farSideWithLamps(vec3 position, vec3 normal, vec2 uv, vec4 far) {
   s.uv.uv = uv;
   s.baked_thickness_mm = far.a;
   float thickness_mm = bodyThicknessMm(s);
-  Layer layer = twoLobes(u_material.specular_perceptual_roughness, 0.0, u_material.specular_intensity);
-  layer.metallic = 0.0;
-  LayerPoint p = layerPoint(layer, normal, normal);
   SlabScattering scattering = slabScattering(u_mean_albedo.rgb, u_scattering.rgb, int(u_scattering.w));
-  vec3 lamps = lampsThrough(layer, p, scattering, position, normal, far.a >= 0.0, thickness_mm);
+  vec3 lamps = lampsThrough(Entrance(vec3(1.0)), scattering, position, normal, far.a >= 0.0, thickness_mm);
   far.rgb = inHalfRange(far.rgb + lamps / max(slabShares(scattering, thickness_mm).transmitted, 1e-6));
   if (far.a < 0.0 && u_material.transmission_thickness_source == kThicknessFromShadow) far.a = thickness_mm;
   return far;
 }
-#endif
+#else
 
 Shading shade(Surface s) {
   vec3 albedo = u_material.base_albedo.rgb * colourMap(u_map_albedo, kMapAlbedo, s.uv).rgb;
@@ -117,7 +129,7 @@ Shading shade(Surface s) {
   const vec3 lamps_through = vec3(0.0);  // farSideWithLamps has added it to s.far_light
 #else
   vec3 lamps_through =
-      lampsThrough(layer, p, scattering, s.position, facingNormal(s), s.baked_thickness_mm >= 0.0, result.thickness_mm);
+      lampsThrough(Entrance(layer, p.body_in), scattering, s.position, facingNormal(s), s.baked_thickness_mm >= 0.0, result.thickness_mm);
 #endif
   SlabShares slab = slabShares(scattering, result.thickness_mm);
   float amount = u_material.transmission_weight * result.subsurface;
@@ -134,3 +146,4 @@ Shading shade(Surface s) {
   result.shading_normal = normal;
   return result;
 }
+#endif
