@@ -138,6 +138,8 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      m_messages,
                      cameraMatrices(request.camera, resources.bounds(), request.size, jitter, lamps),
                      multisampled};
+  frame.level = levelFor(request, resources, frame.camera);
+  if (frame.level > 0) ++statistics.coarseFrames;
   m_timer.beginFrame();
   m_noVertices.bind();
 
@@ -239,6 +241,15 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   return true;
 }
 
+int Frame::levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) const {
+  // Only where the viewport has already given up pixels to keep pace: a GPU has triangles to spare.
+  const bool isReduced = request.displaySize.y > 0 && request.size.y < request.displaySize.y;
+  if (!m_software || !request.moving || !isReduced) return 0;
+  resources.wantCoarse();
+  constexpr float kMostPixels = 0.35F;
+  return resources.geometry().levelWithin(kMostPixels * nearestPixel(camera, resources.bounds(), request.size));
+}
+
 std::optional<Frame::SurfaceKey> Frame::surfaceKey(const FrameContext& frame) const {
   const FrameRequest& request = frame.request;
   // Lamps and reference objects are drawn into the sky, a displaced surface is its material's.
@@ -254,6 +265,7 @@ std::optional<Frame::SurfaceKey> Frame::surfaceKey(const FrameContext& frame) co
                  environment.rotationDegrees,
                  environment.exposureStops,
                  environment.background,
+                 frame.level,
                  {}};
   for (const SlotResources& slot : frame.resources.slots()) {
     if (slot.displaced) return std::nullopt;
@@ -340,7 +352,6 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   input.image = &image;
   input.weight = weight;
   input.exact = request.exactDisplay;
-  input.shown = shown;
   // Until a still picture has enough samples of its own to be smooth, it is smoothed like a moving one: no flicker at
   // rest.
   constexpr int kSmoothSamples = 4;
@@ -350,7 +361,23 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
                                    : PixelArea{glm::ivec2(0), request.size};
   }
   input.dither = true;
-  m_display.draw(m_shaders, m_messages, request.view, input, size);
+  if (size == request.size) {
+    input.shown = shown;
+    m_display.draw(m_shaders, m_messages, request.view, input);
+    return;
+  }
+  // Encoded at its own size and enlarged then: a software driver enlarges codes for a tenth of what encoding costs.
+  const glm::vec2 scale = glm::vec2(request.size) / glm::vec2(size);
+  input.shown = PixelArea{glm::max(glm::ivec2(glm::floor(glm::vec2(shown.lower) * scale)) - 1, glm::ivec2(0)),
+                          glm::min(glm::ivec2(glm::ceil(glm::vec2(shown.upper) * scale)) + 1, request.size)};
+  const gl::Framebuffer& encoded = m_targets.encoded();
+  encoded.bind();
+  m_display.draw(m_shaders, m_messages, request.view, input);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(shown.lower.x, shown.lower.y, shown.upper.x - shown.lower.x, shown.upper.y - shown.lower.y);
+  glBlitNamedFramebuffer(encoded.id(), request.framebuffer, 0, 0, request.size.x, request.size.y, 0, 0, size.x, size.y,
+                         GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 // ---- reading back
@@ -386,7 +413,7 @@ Image Frame::readView(Aov aov, const ResolvedScene* scene, const ViewSettings& v
     input.weight = weight;
     input.exact = true;
     input.straightAlpha = true;
-    m_display.draw(m_shaders, m_messages, view, input, size);
+    m_display.draw(m_shaders, m_messages, view, input);
   }
   Image image = displayFromTexture(target, wide);
   restoreDefaults(0);

@@ -62,10 +62,13 @@ class Frame {
     std::uint64_t geometry = 0, light = 0, environment = 0;
     float rotationDegrees = 0.0F, exposureStops = 0.0F;
     Background background;
+    int level = 0;
     std::vector<std::pair<DrawKind, bool>> slots;  ///< kind, whether back faces are culled
     bool operator==(const SurfaceKey&) const = default;
   };
 
+  /// The level of the model's triangles that a frame is drawn with.
+  [[nodiscard]] int levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) const;
   FrameBlock uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
   void clear(const FrameContext& frame) const;
   /// Null where the surface's images have to be drawn each time.

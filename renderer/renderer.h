@@ -84,6 +84,7 @@ struct RenderStatistics {
                 glErrors = 0;
   std::uint64_t texturesReleased = 0, shadowMapsDrawn = 0, diffusionKernelsMade = 0;
   std::uint64_t surfacesKept = 0;  ///< moving frames that shaded what the one before had rasterised
+  std::uint64_t coarseFrames = 0;  ///< moving frames of fewer triangles than the model has
   std::size_t residentTextures = 0, triangles = 0;
   int samples = 0, targetSamples = 0;  ///< of the picture shown last
   glm::ivec2 pictureSize{0};           ///< pixels that the picture shown last was drawn with

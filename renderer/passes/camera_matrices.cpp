@@ -68,6 +68,14 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, glm::i
   return m;
 }
 
+float nearestPixel(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size) {
+  const float atOne = 2.0F / (camera.projection[1][1] * static_cast<float>(std::max(size.y, 1)));
+  if (camera.orthographic) return atOne;
+  // The corner of the box that lies farthest against the view.
+  const glm::vec3 nearest = glm::mix(bounds.max, bounds.min, glm::greaterThan(camera.forward, glm::vec3(0.0F)));
+  return atOne * std::max(glm::dot(nearest - camera.position, camera.forward), 0.0F);
+}
+
 PixelArea screenArea(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size) {
   const PixelArea whole{glm::ivec2(0), size};
   if (bounds.empty()) return whole;

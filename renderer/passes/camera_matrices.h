@@ -29,6 +29,9 @@ struct PixelArea {
 /// A rectangle that holds all of `bounds` on the screen; the whole screen where that reaches behind the camera.
 [[nodiscard]] PixelArea screenArea(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size);
 
+/// What a pixel is wide where `bounds` are nearest to the camera, scene units; 0 where they reach behind it.
+[[nodiscard]] float nearestPixel(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size);
+
 /// Sample `index` of the R2 sequence (Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences"), −½..½;
 /// the first is (0, 0).
 [[nodiscard]] glm::vec2 pixelJitter(int index);

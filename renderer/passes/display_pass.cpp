@@ -65,33 +65,30 @@ void DisplayPass::prepareLut(View& view) {
 }
 
 bool DisplayPass::draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& settings,
-                       const DisplayInput& input, glm::ivec2 size) {
+                       const DisplayInput& input) {
   View* view = viewFor(settings, messages);
   if (view == nullptr) return false;
+  const glm::ivec2 size(input.image->width(), input.image->height());
   glViewport(0, 0, size.x, size.y);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
   const PixelArea whole{glm::ivec2(0), size};
-  if (!input.edgeFilter) return drawAreas(shaders, messages, *view, settings, input, size, false, {&whole, 1});
+  if (!input.edgeFilter) return drawAreas(shaders, messages, *view, settings, input, false, {&whole, 1});
 
   // Only the model has edges: what surrounds its rectangle is shown as it is.
-  const glm::vec2 scale = glm::vec2(size) / glm::vec2(input.image->width(), input.image->height());
-  const glm::ivec2 lower(glm::floor(glm::vec2(input.edgeFilter->lower) * scale));
-  const glm::ivec2 upper = glm::min(glm::ivec2(glm::ceil(glm::vec2(input.edgeFilter->upper) * scale)), size);
-  const PixelArea inside{lower, upper};
+  const PixelArea& inside = *input.edgeFilter;
+  const glm::ivec2 lower = inside.lower, upper = inside.upper;
   const std::array<PixelArea, 4> around = {PixelArea{{0, 0}, {size.x, lower.y}}, PixelArea{{0, upper.y}, size},
                                            PixelArea{{0, lower.y}, {lower.x, upper.y}},
                                            PixelArea{{upper.x, lower.y}, {size.x, upper.y}}};
-  return drawAreas(shaders, messages, *view, settings, input, size, true, {&inside, 1}) &&
-         drawAreas(shaders, messages, *view, settings, input, size, false, around);
+  return drawAreas(shaders, messages, *view, settings, input, true, {&inside, 1}) &&
+         drawAreas(shaders, messages, *view, settings, input, false, around);
 }
 
 bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, View& view, const ViewSettings& settings,
-                            const DisplayInput& input, glm::ivec2 size, bool edgeFilter,
-                            std::span<const PixelArea> areas) {
+                            const DisplayInput& input, bool edgeFilter, std::span<const PixelArea> areas) {
   const bool exact = input.exact || view.transform->isSimple();
-  const glm::ivec2 imageSize(input.image->width(), input.image->height());
 
   gl::ProgramSources sources;
   sources.vertex = "full_screen.vert";
@@ -105,7 +102,6 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
     prepareLut(view);
   }
   if (edgeFilter) sources.defines.emplace_back("DERMIS_EDGE_FILTER");
-  if (size != imageSize) sources.defines.emplace_back("DERMIS_SCALED");
   auto found = shaders.program(sources);
   if (!found) {
     messages.say(found.error().message);
@@ -128,9 +124,6 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
   glUniform1f(program.uniform("u_exposure"), raw ? 1.0F : std::exp2(settings.exposureStops));
   glUniform1f(program.uniform("u_dither"), input.dither && !raw ? 1.0F / 255.0F : 0.0F);
   glUniform1i(program.uniform("u_alpha_mode"), input.straightAlpha ? 1 : 0);
-  const glm::vec2 scale = glm::vec2(imageSize) / glm::vec2(size);
-  glUniform4f(program.uniform("u_source"), scale.x, scale.y, static_cast<float>(imageSize.x),
-              static_cast<float>(imageSize.y));
   glEnable(GL_SCISSOR_TEST);
   for (const PixelArea& area : areas) {
     const PixelArea shown = input.shown.value_or(area);

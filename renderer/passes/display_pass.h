@@ -30,10 +30,9 @@ struct DisplayInput {
 /// Keeps the views in use ready: their programs' text and textures.
 class DisplayPass {
  public:
-  /// Draws into the framebuffer that is bound, `size` pixels of it. Raw is drawn as it is: no exposure, no dither.
+  /// Draws into the framebuffer that is bound, a pixel a texel of the image. Raw is drawn as it is: no exposure, no dither.
   /// False (and a message) where the view can't be made.
-  bool draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& view, const DisplayInput& input,
-            glm::ivec2 size);
+  bool draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& view, const DisplayInput& input);
 
   /// Shows an image that is not radiance in the framebuffer that is bound. `range` is valueRange(aov, …).
   static void drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov aov,
@@ -53,7 +52,7 @@ class DisplayPass {
     bool exactReady = false;
   };
   bool drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, View& view, const ViewSettings& settings,
-                 const DisplayInput& input, glm::ivec2 size, bool edgeFilter, std::span<const PixelArea> areas);
+                 const DisplayInput& input, bool edgeFilter, std::span<const PixelArea> areas);
   View* viewFor(const ViewSettings& settings, MessageLog& messages);
   static void prepareExact(View& view);
   static void prepareLut(View& view);

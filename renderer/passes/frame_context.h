@@ -35,6 +35,12 @@ struct FrameContext {
   MessageLog& messages;
   CameraMatrices camera;
   bool multisampled = false;
+  int level = 0;  ///< of the model's triangles (Geometry::levelWithin)
+
+  /// The level that a part is drawn with: blended ones are few, displaced ones have their own.
+  [[nodiscard]] int levelOf(const SlotResources& slot) const {
+    return slot.kind == DrawKind::Opaque && !slot.displaced ? level : 0;
+  }
 
   /// The program in use, or null (and a message) where it doesn't compile.
   const gl::Program* useProgram(const gl::ProgramSources& sources) const {

@@ -87,9 +87,58 @@ void Geometry::bindForLight() const {
 
 void Geometry::bind() const { m_vertexArray.bind(); }
 
+glm::uvec2 Geometry::vertexRange(std::size_t part, int level) const {
+  if (level == 0) return m_vertexRanges.at(part);
+  const CoarseMesh::Part& coarse = m_coarse.at(static_cast<std::size_t>(level) - 1).parts.at(part);
+  return {coarse.firstVertex, coarse.vertexCount};
+}
+
+void Geometry::setCoarse(const std::vector<CoarseMesh>& levels) {
+  m_coarse.clear();
+  std::vector<std::uint32_t> indices, vertices;
+  for (const CoarseMesh& level : levels) {
+    CoarseLevel made{level.parts, level.error};
+    for (CoarseMesh::Part& part : made.parts) {
+      part.firstIndex += static_cast<std::uint32_t>(indices.size());
+      part.firstVertex += static_cast<std::uint32_t>(vertices.size());
+    }
+    indices.insert(indices.end(), level.indices.begin(), level.indices.end());
+    vertices.insert(vertices.end(), level.vertices.begin(), level.vertices.end());
+    m_coarse.push_back(std::move(made));
+  }
+  m_coarseIndices = gl::Buffer::fixed("coarse indices", std::as_bytes(std::span(indices)));
+  m_coarseVertices = gl::Buffer::fixed("coarse vertices", std::as_bytes(std::span(vertices)));
+}
+
+int Geometry::levelWithin(float sceneUnits) const {
+  int level = 0;
+  for (const CoarseLevel& coarse : m_coarse) level += coarse.error <= sceneUnits ? 1 : 0;
+  return level;
+}
+
+float Geometry::errorOf(int level) const {
+  return level == 0 ? 0.0F : m_coarse.at(static_cast<std::size_t>(level) - 1).error;
+}
+
+void Geometry::bindCoarseVertices() const {
+  constexpr GLuint kCoarseBinding = 3;
+  m_coarseVertices.bindStorage(kCoarseBinding);
+}
+
 void Geometry::draw(const ModelPart& part) const {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.indexCount), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(static_cast<std::uintptr_t>(part.firstIndex) * sizeof(std::uint32_t)));
+}
+
+void Geometry::drawPart(std::size_t part, int level, const Model& model) const {
+  if (level == 0) {
+    draw(model.parts[part]);
+    return;
+  }
+  const CoarseMesh::Part& coarse = m_coarse.at(static_cast<std::size_t>(level) - 1).parts.at(part);
+  glVertexArrayElementBuffer(m_vertexArray.id(), m_coarseIndices.id());
+  draw({0, coarse.firstIndex, coarse.indexCount});
+  glVertexArrayElementBuffer(m_vertexArray.id(), m_indices.id());
 }
 
 void Geometry::prepareDisplacement(const Model& model) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/bake/mesh_bake.h"
+#include "core/scene/coarse_mesh.h"
 #include "core/scene/displacement_frames.h"
 #include "core/scene/model.h"
 #include "gl/gl_objects.h"
@@ -21,11 +22,24 @@ class Geometry {
   [[nodiscard]] bool hasBake() const { return static_cast<bool>(m_baked); }
   /// Vertices, their light and what was baked of them, as vertex_light.comp takes them.
   void bindForLight() const;
-  /// The vertices that a part's triangles use: first and count.
-  [[nodiscard]] glm::uvec2 vertexRange(std::size_t part) const { return m_vertexRanges.at(part); }
+  /// The vertices that a part's triangles of a level use: first and count, of all vertices or of coarseVertices().
+  [[nodiscard]] glm::uvec2 vertexRange(std::size_t part, int level = 0) const;
 
   void bind() const;
   void draw(const ModelPart& part) const;
+
+  /// Levels of fewer triangles for drawPart(), each of vertices of the one before.
+  void setCoarse(const std::vector<CoarseMesh>& levels);
+  /// Whether they were set, were it to none.
+  [[nodiscard]] bool hasCoarse() const { return static_cast<bool>(m_coarseIndices); }
+  /// The one with the fewest triangles whose surface is no farther than this from the model's; 0 is the model itself.
+  [[nodiscard]] int levelWithin(float sceneUnits) const;
+  /// How far a level's surface is from the model's, scene units.
+  [[nodiscard]] float errorOf(int level) const;
+  /// Draws a part of a level; the geometry is bound.
+  void drawPart(std::size_t part, int level, const Model& model) const;
+  /// Numbers of the vertices that coarse levels use, for vertex_light.comp.
+  void bindCoarseVertices() const;
 
   /// What displaced parts need beside the vertices: attributes 8 to 10 and the seams. Does nothing a second time.
   void prepareDisplacement(const Model& model);
@@ -45,6 +59,13 @@ class Geometry {
     std::uint32_t firstIndex = 0, plainIndices = 0, seamIndices = 0;
     int firstSeam = 0;
   };
+  /// As CoarseMesh has them; first indices and vertices count from the beginning of the buffers.
+  struct CoarseLevel {
+    std::vector<CoarseMesh::Part> parts;
+    float error = 0.0F;
+  };
+  std::vector<CoarseLevel> m_coarse;
+  gl::Buffer m_coarseIndices, m_coarseVertices;
   gl::Buffer m_displacementFrames, m_patchIndices, m_seams;
   std::vector<DisplacementDensity> m_densities;
   std::vector<Patches> m_patches;

@@ -171,6 +171,17 @@ Result<void> RenderTargets::prepareSums(SceneImages images) {
   return {};
 }
 
+const gl::Framebuffer& RenderTargets::encoded() {
+  if (!m_encoding) {
+    m_encoded = gl::Texture::create(
+        {.format = GL_RGBA8, .width = m_size.x, .height = m_size.y, .label = "encoded, to enlarge"});
+    m_encoding = gl::Framebuffer::create("encoded, to enlarge");
+    m_encoding.attachColour(0, m_encoded);
+    m_encoding.drawTo(1);
+  }
+  return m_encoding;
+}
+
 void RenderTargets::drawToAll() const {
   std::vector<GLenum> attachments;
   attachments.reserve(kSurfaceImages.size());

@@ -79,6 +79,8 @@ class RenderTargets {
   [[nodiscard]] bool summed(SceneImage image) const { return static_cast<bool>(sum(image)); }
   /// With depth: beauty, diffuse, scattered, specular, transmission by location, as far as they are there.
   [[nodiscard]] const gl::Framebuffer& radiances() const { return m_radiances; }
+  /// Eight bits a channel, as a display takes them; made at the first call.
+  [[nodiscard]] const gl::Framebuffer& encoded();
   /// Draws into all images that the surface pass writes, or into the picture alone.
   void drawToAll() const;
   void drawToBeauty() const;
@@ -94,14 +96,14 @@ class RenderTargets {
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Texture m_spread;
+  gl::Texture m_spread, m_encoded;
   gl::Texture m_surface, m_tangent, m_far;
   struct SurfaceImages {
     gl::Texture sky, bounce, gradients;
     gl::Framebuffer framebuffer;
   };
   SurfaceImages m_movingSurfaces, m_stillSurfaces;
-  gl::Framebuffer m_scene, m_multisampled, m_composed, m_radiances, m_spreading;
+  gl::Framebuffer m_scene, m_multisampled, m_composed, m_radiances, m_spreading, m_encoding;
 };
 
 }  // namespace dermis

@@ -206,6 +206,13 @@ void SceneResources::uploadBake() {
   m_bake = std::move(bake);
 }
 
+void SceneResources::wantCoarse() {
+  if (m_geometry->hasCoarse() || m_model != m_scene->model) return;
+  const auto levels = m_coarse.of(m_model);
+  if (!levels) return;
+  m_geometry->setCoarse(*levels);
+}
+
 int presentMaps(const ResolvedScene& scene, std::size_t slot) {
   int bits = 0;
   for (std::size_t i = 0; i < kTextureSlotCount; ++i)

@@ -12,6 +12,7 @@
 #include "gl/shader_library.h"
 #include "lighting/dfg_table.h"
 #include "lighting/environment_map.h"
+#include "passes/coarse_levels.h"
 #include "passes/diffusion_kernels.h"
 #include "passes/geometry.h"
 #include "passes/mesh_bake_job.h"
@@ -58,6 +59,9 @@ class SceneResources {
   bool setScene(std::shared_ptr<const ResolvedScene> scene, gl::JobQueue& jobs);
   /// Uploads what the scene needs and isn't resident, and nothing else.
   void upload(RenderStatistics& statistics, Warnings& messages);
+
+  /// Fewer triangles are wanted: geometry() has them some frames later.
+  void wantCoarse();
 
   [[nodiscard]] bool isSoftware() const { return m_software; }
   [[nodiscard]] const ResolvedScene* scene() const { return m_scene.get(); }
@@ -114,6 +118,7 @@ class SceneResources {
   std::optional<Geometry> m_geometry;
   std::uint64_t m_geometryRevision = 0;
   MeshBakes m_meshBakes;
+  CoarseLevels m_coarse;
   std::shared_ptr<const MeshBake> m_bake;  ///< the one m_geometry has
   Bounds m_bounds;
   std::vector<SlotResources> m_slots;

@@ -113,7 +113,8 @@ void ShadowPass::draw(const FrameContext& frame, const ShadowSample& sample, Ren
     for (Face& face : m_faces[i])
       if (face.layer >= 0 && !face.drawn)
         drawFace(frame, face, first ? glm::vec2(0.0F) : shiftOf(sample.index), statistics);
-  upload(sample);
+  // Fewer triangles lie a little below those in the maps.
+  upload(sample, 2.0F * frame.resources.geometry().errorOf(frame.level));
 }
 
 void ShadowPass::readGeometry(const FrameContext& frame) {
@@ -264,7 +265,7 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
   ++m_revision;
 }
 
-void ShadowPass::upload(const ShadowSample& sample) {
+void ShadowPass::upload(const ShadowSample& sample, float below) {
   ShadowBlock block;
   block.centre = {m_geometry.bounds.centre(), static_cast<float>(m_maps.width())};
   // Still pictures take the nearest texel and move the grid; where there is nothing to average, neighbours are.
@@ -280,7 +281,11 @@ void ShadowPass::upload(const ShadowSample& sample) {
       block.of.at(light).x = static_cast<int>(first);
     }
     for (std::size_t i = 0; i < faces.size(); ++i)
-      if (faces[i].drawn) block.views.at(first + i) = faces[i].view.block;
+      if (faces[i].drawn) {
+        ShadowViewBlock& view = block.views.at(first + i);
+        view = faces[i].view.block;
+        view.texel.z += below;
+      }
   }
   const auto bytes = std::as_bytes(std::span<const ShadowBlock, 1>(&block, 1));
   if (std::ranges::equal(bytes, m_blockBytes)) return;

@@ -74,7 +74,7 @@ class ShadowPass {
   void fit(const FrameContext& frame, const ShadowSample& sample, std::size_t light);
   void makeMaps(const FrameContext& frame, const ShadowSample& sample);
   void drawFace(const FrameContext& frame, Face& face, glm::vec2 shift, RenderStatistics& statistics);
-  void upload(const ShadowSample& sample);
+  void upload(const ShadowSample& sample, float below);
 
   bool m_software;
   std::shared_ptr<const Model> m_model;  ///< the one m_geometry is of

@@ -20,7 +20,7 @@ void drawTriangles(const FrameContext& frame, const gl::Program& program, std::s
   const SlotResources& slot = frame.resources.slots()[part.slot];
   const Geometry& geometry = frame.resources.geometry();
   if (!slot.displaced) {
-    geometry.draw(part);
+    geometry.drawPart(index, frame.levelOf(slot), *frame.scene.model);
     return;
   }
   drawDisplaced(program, slot, geometry, index,

@@ -30,7 +30,8 @@ std::vector<std::byte> keyOf(const FrameContext& frame, std::size_t slot, const 
   append(key, block.environmentScale);
   append(key, shadowRevision);
   append(key, resources.draw);
-  // Of the material only what skin.glsl's farSideWithLamps asks: a slider that changes how it reflects keeps the surface.
+  // Of the material only what skin.glsl's farSideWithLamps asks: a slider that changes how it reflects keeps the
+  // surface.
   const MaterialParameters& asked = frame.scene.slots[slot].material.parameters;
   append(key, asked.transmissionThicknessSource);
   append(key, asked.transmissionThicknessMinMm);
@@ -53,23 +54,27 @@ gl::ProgramSources vertexLightProgram(const ResolvedScene& scene, std::size_t sl
 void VertexLight::update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision,
                          bool withLamps) {
   const auto& parts = frame.scene.model->parts;
-  if (m_geometryRevision != frame.resources.geometryRevision()) m_keys.clear();
+  if (m_geometryRevision != frame.resources.geometryRevision()) m_known.clear();
   m_geometryRevision = frame.resources.geometryRevision();
-  m_keys.resize(parts.size());
+  m_known.resize(parts.size());
   const bool lit = withLamps && block.lightCount.x > 0;
   bool any = false;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<std::byte> key = keyOf(frame, parts[i].slot, block, shadowRevision, lit);
-    const glm::uvec2 range = frame.resources.geometry().vertexRange(i);
-    if (key == m_keys[i] || range.y == 0) continue;
+    const int level = frame.levelOf(frame.resources.slots()[parts[i].slot]);
+    const glm::uvec2 range = frame.resources.geometry().vertexRange(i, level);
+    Known& known = m_known[i];
+    if ((key == known.key && known.level <= level) || range.y == 0) continue;
     const gl::Program* program = frame.useProgram(vertexLightProgram(frame.scene, parts[i].slot, lit));
     if (program == nullptr) continue;
-    m_keys[i] = std::move(key);
+    known = {std::move(key), level};
     if (!any) frame.resources.geometry().bindForLight();
+    if (level > 0) frame.resources.geometry().bindCoarseVertices();
     any = true;
     frame.resources.bindSlot(frame.resources.slots()[parts[i].slot]);
     glUniform1ui(program->uniform("u_first"), range.x);
     glUniform1ui(program->uniform("u_count"), range.y);
+    glUniform1i(program->uniform("u_listed"), level > 0 ? 1 : 0);
     glUniform1i(program->uniform("u_baked"), frame.resources.geometry().hasBake() ? 1 : 0);
     constexpr GLuint kGroup = 64;
     glDispatchCompute((range.y + kGroup - 1) / kGroup, 1, 1);

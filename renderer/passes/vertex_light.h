@@ -18,15 +18,20 @@ namespace dermis {
 
 class VertexLight {
  public:
-  /// Brings the light of all vertices up to date. The frame's blocks, shadow maps and DFG tables are bound;
-  /// `shadowRevision` changes with what the maps hold. Leaves program and maps changed.
+  /// Brings the light of the vertices of frame.level up to date. The frame's blocks, shadow maps and DFG tables are
+  /// bound; `shadowRevision` changes with what the maps hold. Leaves program and maps changed.
   void update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision, bool withLamps);
   /// Grows with every change of some vertex's light.
   [[nodiscard]] std::uint64_t revision() const { return m_revision; }
 
  private:
-  std::uint64_t m_geometryRevision = 0;        ///< of the vertices that hold what m_keys says
-  std::vector<std::vector<std::byte>> m_keys;  ///< by part: all that its light was computed from
+  std::uint64_t m_geometryRevision = 0;  ///< of the vertices that hold what m_known says
+  /// All that a part's light was computed from, and the level whose vertices, and those of coarser ones, hold it.
+  struct Known {
+    std::vector<std::byte> key;
+    int level = 0;
+  };
+  std::vector<Known> m_known;  ///< by part
   std::uint64_t m_revision = 0;
 };
 

@@ -13,7 +13,6 @@ uniform float u_weight;     // 1 / samples
 uniform float u_exposure;   // 2^stops
 uniform float u_dither;     // 1/255 for an 8-bit display, 0 for none
 uniform int u_alpha_mode;   // see below
-uniform vec4 u_source;      // xy texels of the image a pixel of the target, zw the image's size
 
 const int kAlphaPremultiply = 0;  // onto a window: encoded colour over black
 const int kAlphaStraight = 1;     // into a file: unassociated
@@ -23,13 +22,7 @@ layout(location = 0) out vec4 o_display;
 // Interleaved gradient noise, 0..1: Jimenez 2014, "Next Generation Post Processing in Call of Duty".
 float gradientNoise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
 
-vec4 sceneAt(vec2 pixel) {
-#ifdef DERMIS_SCALED
-  return textureLod(u_image, pixel * u_source.xy / u_source.zw, 0.0) * u_weight;
-#else
-  return texelFetch(u_image, ivec2(pixel), 0) * u_weight;
-#endif
-}
+vec4 sceneAt(vec2 pixel) { return texelFetch(u_image, ivec2(pixel), 0) * u_weight; }
 
 // The encoded colour of one scene-linear value.
 vec4 displayed(vec4 scene) {

@@ -7,7 +7,7 @@ float edgeLuma(vec2 pixel) {
 }
 
 // Between texels.
-vec4 sceneBetween(vec2 pixel) { return textureLod(u_image, pixel * u_source.xy / u_source.zw, 0.0) * u_weight; }
+vec4 sceneBetween(vec2 pixel) { return textureLod(u_image, pixel / vec2(textureSize(u_image, 0)), 0.0) * u_weight; }
 
 // Radiance is blended as 1 − 1/(1 + luminance), which displays show about evenly: encoding each of three would cost twice what all else does.
 vec4 squeezed(vec4 scene) { return vec4(scene.rgb / (1.0 + u_exposure * dot(scene.rgb, vec3(0.2126, 0.7152, 0.0722))), scene.a); }
@@ -18,7 +18,7 @@ vec4 stretched(vec4 scene) {
 vec4 edgeFiltered(vec2 pixel) {
   vec4 centre = sceneAt(pixel);
   vec2 least = vec2(0.5);
-  vec2 most = vec2(textureSize(u_image, 0)) / u_source.xy - 0.5;
+  vec2 most = vec2(textureSize(u_image, 0)) - 0.5;
   vec2 ne = clamp(pixel + vec2(1.0, 1.0), least, most);
   vec2 nw = clamp(pixel + vec2(-1.0, 1.0), least, most);
   vec2 se = clamp(pixel + vec2(1.0, -1.0), least, most);

@@ -22,13 +22,17 @@ struct VertexLight {
 };
 layout(std430, binding = 1) writeonly buffer Lights { VertexLight u_vertex_lights[]; };
 
+layout(std430, binding = 3) readonly buffer CoarseVertices { uint u_coarse_vertices[]; };
+
 uniform uint u_first;
 uniform uint u_count;
+uniform int u_listed;  // whether these count coarse vertices (renderer/core/scene/coarse_mesh.h)
 uniform int u_baked;  // whether u_mesh_bake is there
 
 void main() {
   if (gl_GlobalInvocationID.x >= u_count) return;
   uint vertex = u_first + gl_GlobalInvocationID.x;
+  if (u_listed != 0) vertex = u_coarse_vertices[vertex];
   readMeshBake(vertex, u_baked != 0);
   vec3 position = u_vertices[vertex].position_u.xyz;
   vec3 normal = u_vertices[vertex].normal_v.xyz;

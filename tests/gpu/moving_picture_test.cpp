@@ -1,6 +1,7 @@
 // Pictures on software GL are drawn in two steps, geometry and then its shading; moving ones take short cuts besides.
 // How far apart the ways are, and what a drag may not do.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -252,6 +253,67 @@ TEST_F(MovingPicture, WhatIsKeptOfTheLastFrameIsWhatWouldBeDrawnAnew) {
       before = now;
     }
   }
+}
+
+// Shown larger than it is drawn, a picture has fewer triangles. It must still be the picture, without spots where the
+// new ones lie below those that cast the shadows, and what their vertices hold must not be taken for all vertices'
+// light.
+TEST_F(MovingPicture, OfFewerTrianglesItIsTheSame) {
+  RendererOptions options;
+  options.software = true;
+  makeRenderer(options);
+  ResolvedScene scene = everything();
+  show(scene);
+  const Window window(2 * m_size);
+  FrameRequest fine = request(scene);
+  fine.exactDisplay = false;
+  fine.moving = true;
+  FrameRequest coarse = fine;
+  coarse.displaySize = 2 * m_size;
+  coarse.framebuffer = window.framebuffer.id();
+  const auto coarseFrames = [&] { return m_renderer->statistics().coarseFrames; };
+  const auto picture = [&](const FrameRequest& frame) {
+    m_renderer->setScene(std::make_shared<ResolvedScene>(scene));
+    EXPECT_TRUE(m_renderer->renderFrame(frame));
+    std::vector<glm::vec4> values;
+    for (int y = 0; y < kEdge; y += 2)
+      for (int x = 0; x < kEdge; x += 2) values.push_back(m_renderer->readPixel({x, y}, frame.view)->radiance);
+    return values;
+  };
+  const auto apart = [](const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    double sum = 0.0, difference = 0.0;
+    std::size_t far = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const glm::vec3 d = glm::abs(glm::vec3(a[i]) - glm::vec3(b[i]));
+      sum += a[i].r + a[i].g + a[i].b;
+      difference += d.r + d.g + d.b;
+      far += d.r > 0.1F * a[i].r + 0.01F ? 1 : 0;
+    }
+    return std::pair(difference / sum, static_cast<double>(far) / static_cast<double>(a.size()));
+  };
+  const auto whole = picture(fine);
+  EXPECT_EQ(coarseFrames(), 0U);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (coarseFrames() == 0 && std::chrono::steady_clock::now() < deadline)
+    ASSERT_TRUE(m_renderer->renderFrame(coarse));
+  const std::uint64_t before = coarseFrames();
+  const auto fewer = picture(coarse);
+  ASSERT_EQ(coarseFrames(), before + 1);
+  const auto [mean, far] = apart(whole, fewer);
+  std::printf("  %.4f of the light apart, %.4f of the pixels by more than a tenth\n", mean, far);
+  EXPECT_GT(mean, 0.0) << "or it is the same picture";
+  EXPECT_LT(mean, 0.008);
+  EXPECT_LT(far, 0.005);
+
+  // Another light, seen by the few vertices first: all of them have to follow.
+  scene.scene.lights.back().intensity *= 3.0F;
+  scene.scene.environment.exposureStops = -1.0F;
+  EXPECT_LT(apart(picture(coarse), fewer).second, 1.0);
+  const auto afterwards = picture(fine);
+  EXPECT_GT(apart(afterwards, whole).first, 0.05) << "or the change says nothing";
+  makeRenderer(options);
+  show(scene);
+  EXPECT_EQ(afterwards, picture(fine));
 }
 
 }  // namespace
