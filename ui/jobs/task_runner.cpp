@@ -96,7 +96,7 @@ double TaskRunner::fraction() const {
 QString TaskRunner::title() const {
   QStringList titles;
   for (const auto& task : m_tasks)
-    if (!task->dropped) titles << task->title;
+    if (!task->dropped && !task->title.isEmpty()) titles << task->title;
   return titles.join(QStringLiteral(" · "));
 }
 
