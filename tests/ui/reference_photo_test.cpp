@@ -83,6 +83,21 @@ TEST_F(Reference, BesideThePictureItHasAPlaceOfItsOwn) {
   EXPECT_TRUE(view->isHidden());
 }
 
+TEST_F(Reference, RowsThatWouldChangeNothingAreNotAskedFor) {
+  const auto asked = [this](const char* name) {
+    return !find<PropertyRow>(QStringLiteral("reference.") + QLatin1String(name))->isHidden();
+  };
+  ReferencePhoto::Settings settings;
+  for (const char* name : {"opacity", "wipe", "scale", "x", "y"}) EXPECT_FALSE(asked(name)) << name;
+  settings.place = ReferencePhoto::Place::Beside;
+  show(settings);
+  for (const char* name : {"scale", "x", "y"}) EXPECT_TRUE(asked(name)) << name;
+  for (const char* name : {"opacity", "wipe"}) EXPECT_FALSE(asked(name)) << name;
+  settings.place = ReferencePhoto::Place::Over;
+  show(settings);
+  for (const char* name : {"opacity", "wipe", "scale", "x", "y"}) EXPECT_TRUE(asked(name)) << name;
+}
+
 TEST_F(Reference, WhatIsNoPictureIsSaidInASentence) {
   m_path = QString::fromStdString(write(folder, "broken.png", "no picture"));
   ReferencePhoto::Settings settings;

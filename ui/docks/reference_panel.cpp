@@ -105,9 +105,10 @@ void ReferencePanel::refresh() {
   show(m_scale, now.scale);
   show(m_x, now.offset.x());
   show(m_y, now.offset.y());
+  // What would change nothing that is seen isn't asked for.
   const bool over = now.place == ReferencePhoto::Place::Over;
-  m_opacity->setVisible(over);
-  m_wipe->setVisible(over);
+  for (PropertyRow* row : {m_opacity, m_wipe}) row->setVisible(over);
+  for (PropertyRow* row : {m_scale, m_x, m_y}) row->setVisible(now.place != ReferencePhoto::Place::Off);
 }
 
 }  // namespace dermis
