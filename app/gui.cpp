@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QMessageBox>
+#include <QOpenGLContext>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <clocale>
@@ -75,6 +77,12 @@ bool displayReachable() {
   return xServerAnswers() || waylandAnswers();
 }
 
+/// Qt 6.4 makes no window around an OpenGL widget that gets no context: it dereferences null.
+bool openGlWorks() {
+  QOpenGLContext context;
+  return context.create();
+}
+
 std::map<std::string, std::string> metadataOf(const ResolvedScene& scene, const PictureRequest& request,
                                               const std::string& glRenderer) {
   cli::Look look;
@@ -124,6 +132,14 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
   std::setlocale(LC_NUMERIC, "C");
   loadTranslation(application, QLocale(), translationFolder());
   applyTheme(application, Preferences().values().theme);
+  if (!openGlWorks()) {
+    const QString sentence = QCoreApplication::translate(
+        "start",
+        "OpenGL can't be used on this display; install a graphics driver, or use a command such as \"dermis render\"");
+    std::fprintf(stderr, "dermis: %s\n", qPrintable(sentence));
+    QMessageBox::critical(nullptr, QStringLiteral("Dermis"), sentence + QLatin1Char('.'));
+    return 1;
+  }
 
   MainWindow window;
   window.setPictureMetadata(metadataOf);

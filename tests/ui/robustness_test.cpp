@@ -7,7 +7,7 @@
 
 #include "ui/editor_fixture.h"
 #include "ui/main_window/view_tools.h"
-#include "ui/scale_process.h"
+#include "ui/own_process.h"
 #include "ui/snapshots/snapshots.h"
 #include "ui/viewport/light_gizmos.h"
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setOption(QSurfaceFormat::ResetNotification);  // as the program does
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setOrganizationName(QStringLiteral("Dermis"));
   QApplication::setApplicationName(QStringLiteral("dermis-tests"));

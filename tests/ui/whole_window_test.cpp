@@ -7,7 +7,7 @@
 #include "core/scene/scene_io.h"
 #include "ui/editor_fixture.h"
 #include "ui/main_window/dock_layout.h"
-#include "ui/scale_process.h"
+#include "ui/own_process.h"
 
 namespace dermis {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QOpenGLContext>
-#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,10 +13,8 @@
 #include "ui/viewport/fly_keys.h"
 #include "ui/viewport/legend.h"
 #include "ui/viewport/model_picker.h"
-#include "ui/viewport/navigation.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/overlay_canvas.h"
-#include "ui/viewport/view_modes.h"
 
 namespace dermis {
 namespace {
@@ -25,7 +22,6 @@ namespace {
 constexpr double kJobSliceMs = 8.0;
 constexpr int kStillAfterMs = 120;       // full resolution within 150 ms of the last change
 constexpr int kRestBeforeStillMs = 500;  // with a button held: slow samples would be in the way of what comes next
-constexpr int kEdge = 10;
 /// What the renderer, which knows no Qt, says that it is doing.
 [[maybe_unused]] constexpr const char* kJobWords[] = {
     QT_TRANSLATE_NOOP("tables", "Preparing shaders"),
@@ -91,80 +87,18 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   });
 }
 
-Viewport::~Viewport() { releaseRenderer(); }
+Viewport::~Viewport() {
+  // QOpenGLWidget destroys its context when all that is ours has gone.
+  if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
+  releaseRenderer();
+}
 
 // --- the picture
 // ------------------------------------------------------------------------------------------------------
 
-void Viewport::initializeGL() {
-  // Called again with a fresh context, for example when a window is torn off: everything on the GPU is made anew.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer, Qt::UniqueConnection);
-  Result<std::unique_ptr<Renderer>> renderer = Renderer::create(rendererOptions());
-  if (!renderer) {
-    const QString sentence = text(renderer.error().message);
-    showProblem(tr("There is no picture: %1").arg(sentence));
-    Q_EMIT message(MessageKind::Error, sentence);
-    return;
-  }
-  m_renderer = std::move(*renderer);
-  if (std::exchange(m_contextWasLost, false))
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-          Q_EMIT message(MessageKind::Warning,
-                         tr("The graphics driver was reset and the picture is made anew; the scene has lost nothing."));
-        },
-        Qt::QueuedConnection);
-  m_pace = Pace(!m_renderer->glInfo().software);
-  m_drawn.reset();
-  m_firstFrame = true;
-}
-
-RendererOptions Viewport::rendererOptions() const {
-  RendererOptions options;
-  options.cacheFolder =
-      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
-  options.bakeMeshes = true;
-  options.platform = "widget";
-  return options;
-}
-
-void Viewport::releaseRenderer() {
-  if (!m_renderer) return;
-  makeCurrent();
-  if (contextIsLost()) return letGo();
-  m_compared.reset();
-  m_renderer.reset();
-  doneCurrent();
-}
-
-void Viewport::letGo() {
-  static_cast<void>(m_compared.release());
-  static_cast<void>(m_renderer.release());
-  m_jobsLeft = false;
-}
-
-bool Viewport::contextIsLost() const { return context() == nullptr || !context()->isValid(); }
-
-bool Viewport::takeContext() {
-  makeCurrent();
-  if (!contextIsLost()) return true;
-  loseRenderer();
-  return false;
-}
-
-void Viewport::loseRenderer() {
-  // Qt makes another context and calls initializeGL() where the driver lets it.
-  letGo();
-  m_contextWasLost = true;
-  showProblem(
-      tr("The graphics driver was reset. If the picture doesn't come back, save the scene and start Dermis "
-         "again."));
-  Q_EMIT jobProgress(QString(), 0.0);
-}
-
 void Viewport::paintGL() {
   if (!m_renderer) return;
+  if (contextIsLost()) return loseRenderer();
   const std::shared_ptr<const ResolvedScene> scene = leftScene();
   if (!scene) return;
   if (scene != m_drawn) {
@@ -228,6 +162,7 @@ void Viewport::drawFrame() {
     m_firstFrame = false;
     // Hidden from the event loop: a widget doesn't hide its children while it paints.
     QMetaObject::invokeMethod(m_problem, &QWidget::hide, Qt::QueuedConnection);
+    if (std::exchange(m_contextWasLost, false)) tellReset();
   }
   for (const std::string& line : m_renderer->takeMessages()) {
     const QString sentence = text(line);
@@ -318,30 +253,10 @@ void Viewport::setWithoutSubsurface(bool without) {
   update();
 }
 
-void Viewport::refreshViewName() {
-  QStringList words;
-  if (m_aov != Aov::Beauty) words << viewMode(m_aov).label;
-  if (m_withoutSubsurface) words << tr("without subsurface");
-  m_viewName->setText(words.join(QStringLiteral(" · ")));
-  m_viewName->setAccessibleName(words.isEmpty() ? QString() : tr("Shown: %1").arg(words.join(QStringLiteral(", "))));
-  m_viewName->setVisible(!words.isEmpty());
-  refreshLegend();
-  placeOverlays();
-}
-
-void Viewport::refreshLegend() {
-  const std::shared_ptr<const ResolvedScene> scene = m_aov == Aov::Beauty ? nullptr : m_document.snapshot();
-  const auto range = scene ? valueRange(m_aov, *scene, m_document.camera()) : std::nullopt;
-  m_legend->setVisible(range.has_value());
-  if (range) m_legend->showRange(viewMode(m_aov).label, *range);
-}
-
 void Viewport::setTargetSamples(int samples) {
   m_targetSamples = std::max(1, samples);
   update();
 }
-
-void Viewport::setStatisticsVisible(bool visible) { m_statistics->setVisible(visible); }
 
 RenderStatistics Viewport::statistics() const { return m_renderer ? m_renderer->statistics() : RenderStatistics{}; }
 
@@ -355,55 +270,5 @@ bool Viewport::isSettled() const {
          (!m_comparedScene ||
           (m_compared && m_compared->scene() == m_comparedScene.get() && !m_compared->accumulating()));
 }
-
-void Viewport::refreshStatistics(double milliseconds) {
-  // A picture that compiled a program or waited for the machine says little of the next one.
-  if (m_smoothedMs > 0.0 && (milliseconds > 5.0 * m_smoothedMs || m_smoothedMs > 5.0 * milliseconds))
-    m_smoothedMs = 0.0;
-  m_smoothedMs = m_smoothedMs <= 0.0 ? milliseconds : 0.8 * m_smoothedMs + 0.2 * milliseconds;
-  m_scaleBar->showScale(
-      static_cast<double>(navigation::unitsPerPixel(m_document.camera(), static_cast<float>(height()))) *
-      static_cast<double>(m_document.millimetresPerUnit()));
-  if (!m_statistics->isVisible()) return;
-  const RenderStatistics now = m_renderer ? m_renderer->statistics() : RenderStatistics{};
-  // Often enough to read, not at every picture: the label is composed with the window.
-  const bool last = now.samples >= now.targetSamples;
-  if (m_sinceText.isValid() && m_sinceText.elapsed() < 200 && !last) return;
-  m_sinceText.start();
-  const QString line = tr("%1 fps   %2 ms   %3/%4", "pictures a second, time of one, samples of how many")
-                           .arg(1000.0 / std::max(m_smoothedMs, 0.1), 0, 'f', m_smoothedMs > 100.0 ? 1 : 0)
-                           .arg(m_smoothedMs, 0, 'f', 1)
-                           .arg(now.samples)
-                           .arg(now.targetSamples);
-  if (line == m_statistics->text()) return;
-  m_statistics->setText(line);
-  placeOverlays();
-}
-
-void Viewport::showProblem(const QString& sentence) {
-  m_problem->setText(sentence);
-  m_problem->show();
-  m_problem->raise();
-}
-
-void Viewport::placeOverlays() {
-  m_statistics->adjustSize();
-  m_statistics->move(width() - m_statistics->width() - kEdge, height() - m_statistics->height() - kEdge);
-  m_scaleBar->move(kEdge + 4, height() - m_scaleBar->height() - kEdge);
-  m_viewName->adjustSize();
-  m_viewName->move(kEdge, kEdge);
-  m_legend->move(width() - m_legend->width() - kEdge, kEdge);
-  m_problem->setGeometry(rect());
-  m_canvas->setGeometry(rect());
-  m_canvas->lower();  // text stays readable over it
-}
-
-void Viewport::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
-  placeOverlays();
-  tellPixels();
-}
-
-void Viewport::tellPixels() { Q_EMIT pictureResized(QSize(width(), height()) * devicePixelRatioF()); }
 
 }  // namespace dermis

@@ -114,13 +114,19 @@ class Viewport : public QOpenGLWidget {
  private:
   enum class Drag { None, Orbit, Pan, Zoom, Look, TurnEnvironment };
   void releaseRenderer();
+  /// The context goes, by itself or because it was lost.
+  void leaveContext();
   /// Leaves what was on the graphics card as it is: nothing there can be given back, and no call reaches it.
   void letGo();
-  /// Whether the driver has taken the context away, as after a reset of the graphics card.
+  /// Whether the driver has taken the context away, as after a reset of the graphics card. A driver tells it once.
   [[nodiscard]] bool contextIsLost() const;
   /// Makes the context current; false where there is none any more.
   bool takeContext();
   void loseRenderer();
+  /// Has Qt make another context in place of a lost one.
+  void renewContext();
+  /// That there is a picture again.
+  void tellReset();
   void drawFrame();
   [[nodiscard]] FrameRequest frameRequest() const;
   /// What stands left of the split, or everywhere.
@@ -153,9 +159,11 @@ class Viewport : public QOpenGLWidget {
   bool m_withoutSubsurface = false;
   int m_targetSamples = 64;
   bool m_jobsLeft = false;
-  bool m_contextWasLost = false;
-  std::string m_jobText;     ///< of the job in progress
-  bool m_firstFrame = true;  ///< nothing has been shown yet: wait for programs and environment
+  bool m_contextWasLost = false;  ///< and there has been no picture since
+  using AskReset = unsigned (*)();
+  AskReset m_askReset = nullptr;  ///< glGetGraphicsResetStatus
+  std::string m_jobText;          ///< of the job in progress
+  bool m_firstFrame = true;       ///< nothing has been shown yet: wait for programs and environment
   bool m_moving = false;
   bool m_resting = false;   ///< a button is held and nothing has changed for a while: as sharp as a moving picture gets
   bool m_settling = false;  ///< just let go: one whole picture of the quick kind comes before the slow samples
