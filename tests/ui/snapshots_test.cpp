@@ -56,5 +56,41 @@ TEST_F(SnapshotStrip, DeletingAnotherKeepsTheComparedOneMarked) {
   EXPECT_EQ(snapshots().all()[1].scene.get(), shown);
 }
 
+TEST_F(SnapshotStrip, APictureShowsWhatWasKeptAlsoWhileTwoPresetsAreCompared) {
+  document().setCurrentSlot(QStringLiteral("face"));
+  EnvironmentSource bright = document().scene().environment;
+  bright.exposureStops = 0.0F;
+  document().setEnvironmentSettings(bright, QStringLiteral("Environment exposure"), newGesture());
+  picture();
+  window->viewTools()->takeSnapshot();
+  const QImage expected = snapshots().all().back().thumbnail;
+  ASSERT_FALSE(expected.isNull());
+  window->viewTools()->compareWithPreset("builtin:jade", ViewTools::Side::Left);
+  ASSERT_TRUE(waitIdle());
+  window->viewTools()->compareWithPreset("builtin:marble");
+  ASSERT_TRUE(waitIdle());
+  ASSERT_NE(window->viewport()->comparedLeft(), nullptr);
+  picture();
+  const QImage left = window->viewport()->picture();
+  // Two at once: each gets its own.
+  window->viewTools()->takeSnapshot();
+  EXPECT_TRUE(snapshots().all().back().thumbnail.isNull());
+  EnvironmentSource dark = bright;
+  dark.exposureStops = -4.0F;
+  document().setEnvironmentSettings(dark, QStringLiteral("Environment exposure"), newGesture());
+  window->viewTools()->takeSnapshot();
+  ASSERT_EQ(snapshots().all().size(), 6U);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return snapshots().undrawn() < 0; }, 3 * kPatienceMs));
+  const QImage shown = snapshots().all()[4].thumbnail;
+  EXPECT_EQ(shown.size(), expected.size());
+  const float off = meanDifference(shown, expected);
+  EXPECT_LT(off, 4.0F);
+  const QImage presets = left.scaled(expected.size(), Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation)
+                             .copy(QRect(QPoint(), expected.size()));
+  EXPECT_GT(meanDifference(presets, expected), 2.0F * off) << "the comparison would tell";
+  EXPECT_GT(meanDifference(snapshots().all()[5].thumbnail, expected), 10.0F);
+  EXPECT_FALSE(list->item(4)->icon().isNull());
+}
+
 }  // namespace
 }  // namespace dermis

@@ -24,6 +24,7 @@
 #include "ui/jobs/task_runner.h"
 #include "ui/main_window/camera_menu.h"
 #include "ui/main_window/dock_layout.h"
+#include "ui/snapshots/snapshot_pictures.h"
 #include "ui/snapshots/snapshots.h"
 #include "ui/snapshots/snapshots_panel.h"
 #include "ui/text.h"
@@ -58,6 +59,9 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
   m_history = new CameraHistory(document, viewport);
   m_snapshots = new Snapshots(document, this);
   connect(m_snapshots, &Snapshots::changed, this, &ViewTools::followSnapshots);
+  auto* pictures = new SnapshotPictures(*m_snapshots, tasks, viewport, this);
+  connect(pictures, &SnapshotPictures::problem, this,
+          [this](const QString& sentence) { Q_EMIT message(MessageKind::Error, sentence); });
   m_keyLight = new HoldKey(QStringLiteral("light.moveKeyLight"), tr("Move the key light with the pointer"),
                            QKeySequence(Qt::Key_L), window);
   connect(m_keyLight, &HoldKey::held, m_gizmos, &LightGizmos::holdKeyLight);
@@ -213,7 +217,8 @@ void ViewTools::fillBookmarksMenu(QMenu* menu) {
 // ------------------------------------------------------------------------------------------------------
 
 void ViewTools::takeSnapshot() {
-  m_snapshots->take(m_viewport.picture());
+  // Left of two presets that are compared the document isn't seen: its picture follows.
+  m_snapshots->take(m_viewport.comparedLeft() != nullptr ? QImage() : m_viewport.picture());
   if (m_stripDock == nullptr || !m_stripDock->isHidden()) return;
   m_stripDock->show();
   // As high as one row of pictures: the rest is the viewport's.

@@ -1,11 +1,21 @@
 #include "ui/snapshots/snapshots.h"
 
+#include <algorithm>
+
 #include "ui/document/document.h"
 
 namespace dermis {
 namespace {
-constexpr QSize kThumbnail(192, 128);
+
+QImage thumbnailOf(const QImage& picture) {
+  if (picture.isNull()) return {};
+  const QImage larger = picture.scaled(Snapshots::kPicture, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  return larger.copy(QRect(
+      QPoint((larger.width() - Snapshots::kPicture.width()) / 2, (larger.height() - Snapshots::kPicture.height()) / 2),
+      Snapshots::kPicture));
 }
+
+}  // namespace
 
 void Snapshots::take(const QImage& picture) {
   if (!m_document.isReady()) return;
@@ -13,13 +23,24 @@ void Snapshots::take(const QImage& picture) {
   snapshot.name = tr("Snapshot %1").arg(++m_taken);
   snapshot.look = m_document.wholeLook();
   snapshot.scene = m_document.snapshot();
-  if (!picture.isNull()) {
-    const QImage larger = picture.scaled(kThumbnail, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    snapshot.thumbnail = larger.copy(QRect(
-        QPoint((larger.width() - kThumbnail.width()) / 2, (larger.height() - kThumbnail.height()) / 2), kThumbnail));
-  }
+  snapshot.thumbnail = thumbnailOf(picture);
   m_all.push_back(std::move(snapshot));
   Q_EMIT changed();
+}
+
+int Snapshots::undrawn() const {
+  const auto found = std::ranges::find_if(m_all, [](const Snapshot& each) { return each.thumbnail.isNull(); });
+  return found == m_all.end() ? -1 : static_cast<int>(found - m_all.begin());
+}
+
+void Snapshots::setPicture(const ResolvedScene* scene, const QImage& picture) {
+  bool any = false;
+  for (Snapshot& each : m_all) {
+    if (each.scene.get() != scene) continue;
+    each.thumbnail = thumbnailOf(picture);
+    any = true;
+  }
+  if (any) Q_EMIT changed();
 }
 
 void Snapshots::rename(std::size_t index, const QString& name) {
