@@ -147,6 +147,56 @@ TEST_F(CopyPaste, OneComponentOfSeveralSlotsLeavesTheOthers) {
   EXPECT_EQ(of(eye).specularLobeScale, glm::vec2(0.9F, 2.0F));
 }
 
+TEST_F(CopyPaste, DraggingPastTheEndSetsTheOtherSlotsToo) {
+  auto* slider = find<ValueSlider>(QStringLiteral("specular.perceptual_roughness.slider"));
+  reveal(slider);
+  const auto end = static_cast<float>(slider->range().softMax);
+  // At the end of the slider, and where a typed number lies past it.
+  for (const float there : {end, 1.0F}) {
+    document().setCurrentSlot(face);
+    document().setParameter(face, "specular.perceptual_roughness", there, newGesture());
+    document().setParameter(eye, "specular.perceptual_roughness", 0.3F, newGesture());
+    document().setEditedSlots({face, eye});
+    const int entries = undo().count();
+    // A press on the handle wants nothing yet, nor does a hand that goes up or down.
+    const QPoint grip = slider->handleCentre();
+    QTest::mousePress(slider, Qt::LeftButton, {}, grip);
+    QTest::mouseMove(slider, grip + QPoint(0, 6));
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, grip + QPoint(0, 6));
+    EXPECT_EQ(undo().count(), entries);
+    EXPECT_FLOAT_EQ(of(eye).specularPerceptualRoughness, 0.3F);
+    drag(slider, grip, 60);
+    EXPECT_EQ(undo().count(), entries + 1);
+    EXPECT_FLOAT_EQ(of(face).specularPerceptualRoughness, there);
+    EXPECT_FLOAT_EQ(of(eye).specularPerceptualRoughness, there);
+    undo().undo();
+    EXPECT_FLOAT_EQ(of(eye).specularPerceptualRoughness, 0.3F);
+    // So does the key that goes there.
+    QTest::keyClick(slider, Qt::Key_End);
+    EXPECT_FLOAT_EQ(of(face).specularPerceptualRoughness, end);
+    EXPECT_FLOAT_EQ(of(eye).specularPerceptualRoughness, end);
+  }
+}
+
+TEST_F(CopyPaste, OneComponentPastItsEndAndAResetGoToAllSlots) {
+  document().setParameter(eye, "specular.lobe_scale", glm::vec2(0.5F, 2.0F), newGesture());
+  document().setParameter(face, "specular.lobe_scale", glm::vec2(0.75F, 1.3F), newGesture());
+  auto* slider = find<ValueSlider>(QStringLiteral("specular.lobe_scale.1.slider"));
+  reveal(slider);
+  const auto end = static_cast<float>(slider->range().softMax);
+  document().setParameter(face, "specular.lobe_scale", glm::vec2(end, 1.3F), newGesture());
+  document().setEditedSlots({face, eye});
+  drag(slider, slider->handleCentre(), 40);
+  EXPECT_EQ(of(face).specularLobeScale, glm::vec2(end, 1.3F));
+  EXPECT_EQ(of(eye).specularLobeScale, glm::vec2(end, 2.0F));
+  // The slot that is shown has the default already in one of them.
+  const glm::vec2 start = MaterialParameters{}.specularLobeScale;
+  document().setParameter(face, "specular.lobe_scale", glm::vec2(start.x, 1.4F), newGesture());
+  find<PropertyRow>(QStringLiteral("specular.lobe_scale"))->reset();
+  EXPECT_EQ(of(face).specularLobeScale, start);
+  EXPECT_EQ(of(eye).specularLobeScale, start);
+}
+
 TEST_F(CopyPaste, SlotsAreTickedInTheListBesideTheCombo) {
   auto* list = find<QListWidget>(QStringLiteral("material.together.list"));
   ASSERT_NE(list, nullptr);

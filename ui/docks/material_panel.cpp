@@ -41,18 +41,16 @@ QString helpFor(const ParameterRow& row) {
   return QStringLiteral("<qt>%1<br><span style='color:#909090'>%2</span></qt>").arg(help, text(row.id));
 }
 
-/// `mine` with those components of a vector replaced that an edit changed from `before` to `after`.
-ParameterValue onlyWhatChanged(const ParameterValue& before, const ParameterValue& after, const ParameterValue& mine) {
-  const auto merged = [&](auto from, auto to, auto own) {
-    for (int i = 0; i < decltype(own)::length(); ++i)
-      if (from[i] != to[i]) own[i] = to[i];
+/// `mine` with one component of `edited`; all of it where no component is named.
+ParameterValue onlyComponent(std::optional<int> component, const ParameterValue& edited, const ParameterValue& mine) {
+  if (!component) return edited;
+  const auto merged = [&](auto from, auto own) {
+    own[*component] = from[*component];
     return ParameterValue(own);
   };
-  if (const auto* v = std::get_if<glm::vec2>(&after))
-    return merged(std::get<glm::vec2>(before), *v, std::get<glm::vec2>(mine));
-  if (const auto* v = std::get_if<glm::vec3>(&after))
-    return merged(std::get<glm::vec3>(before), *v, std::get<glm::vec3>(mine));
-  return after;
+  if (const auto* v = std::get_if<glm::vec2>(&edited)) return merged(*v, std::get<glm::vec2>(mine));
+  if (const auto* v = std::get_if<glm::vec3>(&edited)) return merged(*v, std::get<glm::vec3>(mine));
+  return edited;
 }
 
 }  // namespace
@@ -142,8 +140,9 @@ void MaterialPanel::buildRows() {
     row->addActions({m_clipboard->copyGroupAction(text(parameter.group), row), m_clipboard->copyMaterialAction(),
                      m_clipboard->pasteAction()});
     group->addRow(row);
-    connect(row, &PropertyRow::edited, this,
-            [this, &parameter](const ParameterValue& value, Gesture gesture) { edit(parameter, value, gesture); });
+    connect(row, &PropertyRow::edited, this, [this, &parameter, row](const ParameterValue& value, Gesture gesture) {
+      edit(parameter, value, row->editor()->editedComponent(), gesture);
+    });
     m_entries.push_back({&parameter, row, group});
   }
   m_nothing = new QLabel(this);
@@ -154,17 +153,16 @@ void MaterialPanel::buildRows() {
   addWidget(m_nothing);
 }
 
-void MaterialPanel::edit(const ParameterRow& parameter, const ParameterValue& value, Gesture gesture) {
-  const SlotLook* current = m_document.currentLook();
-  if (current == nullptr) return;
-  const ParameterValue shown = parameter.get(current->worn.material.parameters);
+void MaterialPanel::edit(const ParameterRow& parameter, const ParameterValue& value, std::optional<int> component,
+                         Gesture gesture) {
+  if (m_document.currentLook() == nullptr) return;
   std::vector<ParameterEdit> edits;
   QStringList names;
   for (const QString& slot : m_document.editedSlots()) {
     const Material& material = m_document.slotLook(slot)->worn.material;
     // A slot whose model lacks the parameter is left alone: nobody would see the change.
     if (!parameter.usedBy(material.model)) continue;
-    edits.push_back({slot, &parameter, onlyWhatChanged(shown, value, parameter.get(material.parameters))});
+    edits.push_back({slot, &parameter, onlyComponent(component, value, parameter.get(material.parameters))});
     names << slot;
   }
   m_document.setParameters(

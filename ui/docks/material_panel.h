@@ -41,7 +41,8 @@ class MaterialPanel : public Panel {
   void buildStrip();
   void buildRows();
   void refresh();
-  void edit(const ParameterRow& parameter, const ParameterValue& value, Gesture gesture);
+  /// On all slots that are edited; `component`: only this one of a vector.
+  void edit(const ParameterRow& parameter, const ParameterValue& value, std::optional<int> component, Gesture gesture);
   /// "face 0.45" lines where the edited slots have different values of it; else empty.
   [[nodiscard]] QString differencesOf(const ParameterRow& parameter) const;
   void refreshVisibility();

@@ -48,7 +48,10 @@ void ScalarEditor::showDefault(const ParameterValue& value) {
 
 void ScalarEditor::showDefaultNumber(double number) { m_slider->showDefault(number); }
 
-void ScalarEditor::showMixed(bool mixed) { m_field->showMixed(mixed); }
+void ScalarEditor::showMixed(bool mixed) {
+  m_slider->showMixed(mixed);
+  m_field->showMixed(mixed);
+}
 
 void ScalarEditor::setNumberRange(const NumberRange& range) {
   m_range = range;

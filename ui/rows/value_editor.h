@@ -34,6 +34,8 @@ class ValueEditor : public QWidget {
   virtual void showDefault(const ParameterValue&) {}
   /// Several values are shown at once and differ: a dash instead of one of them.
   virtual void showMixed(bool) {}
+  /// The component of a vector that is being edited, while `edited` tells of it; nothing where it is the whole value.
+  [[nodiscard]] virtual std::optional<int> editedComponent() const { return std::nullopt; }
   /// What its numbers may be, where it edits numbers.
   [[nodiscard]] virtual std::optional<NumberRange> range() const { return std::nullopt; }
   /// The words it chooses among, where it edits a choice.

@@ -48,7 +48,7 @@ void ValueSlider::showNumber(double number) {
 
 void ValueSlider::setNumber(double number) {
   const double inside = std::clamp(number, m_range.hardMin, m_range.hardMax);
-  if (inside == m_number) return;
+  if (inside == m_number && !m_mixed) return;
   showNumber(inside);
   Q_EMIT edited(inside, m_clock.current());
 }
@@ -70,7 +70,7 @@ void ValueSlider::moveTo(double number, Qt::KeyboardModifiers keys) {
   // A number past the soft range comes back step by step, and is not pulled to the end by a step away from it.
   const double rounded = std::clamp(m_range.softMin + roundTo(number - m_range.softMin, step),
                                     std::min(m_range.softMin, m_number), std::max(m_range.softMax, m_number));
-  if (rounded == m_number) return;
+  if (rounded == m_number && !m_mixed) return;
   showNumber(rounded);
   Q_EMIT edited(rounded, m_clock.current());
 }
@@ -96,14 +96,14 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
 }
 
 void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
-  if (!m_clock.dragging()) return;
+  if (!m_clock.dragging() || event->position().x() == m_lastX) return;
   const double fine = event->modifiers().testFlag(Qt::ShiftModifier) ? 0.1 : 1.0;
   m_fraction += fine * (event->position().x() - m_lastX) / std::max(width() - 2.0 * kMargin, 1.0);
   m_lastX = event->position().x();
   const double inside = std::clamp(m_fraction, 0.0, 1.0);
   // Past the soft range the handle waits at the end: pulling it further out is no wish to come back.
   const bool past = m_number > m_range.softMax || m_number < m_range.softMin;
-  if (past && inside == fractionOf(m_number)) return;
+  if (past && inside == fractionOf(m_number)) return moveTo(m_number, event->modifiers());
   moveTo(m_range.softMin + inside * (m_range.softMax - m_range.softMin), event->modifiers());
 }
 

@@ -21,6 +21,8 @@ class ValueSlider : public QSlider {
   [[nodiscard]] double number() const { return m_number; }
   [[nodiscard]] const NumberRange& range() const { return m_range; }
   void showDefault(std::optional<double> number);
+  /// The number is one of several: moving the handle to where it stands, as past an end, makes it all of theirs.
+  void showMixed(bool mixed) { m_mixed = mixed; }
   [[nodiscard]] QSize sizeHint() const override { return {120, 22}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {48, 22}; }
   /// Where the handle's centre lies, in widget coordinates.
@@ -48,6 +50,7 @@ class ValueSlider : public QSlider {
   NumberRange m_range;
   GestureClock m_clock;
   double m_number = 0.0;
+  bool m_mixed = false;
   std::optional<double> m_default;
   double m_fraction = 0.0;  ///< of the drag in progress, unrounded
   double m_lastX = 0.0;

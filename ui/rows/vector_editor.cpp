@@ -32,7 +32,9 @@ VectorEditor::VectorEditor(int components, const NumberRange& range, const QStri
       glm::vec3 next = m_shown;
       next[i] = static_cast<float>(number);
       m_shown = next;
+      m_edited = i;
       Q_EMIT edited(m_components.size() == 2 ? ParameterValue(glm::vec2(next)) : ParameterValue(next), gesture);
+      m_edited.reset();
     });
   }
 }

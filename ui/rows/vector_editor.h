@@ -21,10 +21,12 @@ class VectorEditor : public ValueEditor {
   void showDefault(const ParameterValue& value) override;
   void showMixed(bool mixed) override;
   void nameControls(const QString& path, const QString& id) override;
+  [[nodiscard]] std::optional<int> editedComponent() const override { return m_edited; }
   [[nodiscard]] std::optional<NumberRange> range() const override { return m_range; }
 
  private:
   NumberRange m_range;
+  std::optional<int> m_edited;
   QStringList m_letters;
   std::vector<ScalarEditor*> m_components;
   glm::vec3 m_shown{0.0F};
