@@ -34,6 +34,7 @@ class Browse : public Editor {
       QFile::remove(userPresetFolder() + QLatin1Char('/') + name);
     window->preferences().set(PreferenceValues{});
     panel->library().refresh();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !panel->library().isReading(); }, kPatienceMs));
   }
   QLineEdit* search() { return find<QLineEdit>(QStringLiteral("presets.search")); }
 

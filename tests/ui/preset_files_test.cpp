@@ -1,6 +1,7 @@
 // Presets whose files are written, renamed, thrown away or gone: what slots, undo entries and scenes say of them.
 #include <QComboBox>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
@@ -30,7 +31,11 @@ class PresetFiles : public Editor {
   void TearDown() override {
     for (const QString& name : QDir(userPresetFolder()).entryList(QDir::Files))
       QFile::remove(userPresetFolder() + QLatin1Char('/') + name);
+    readAgain();
+  }
+  void readAgain() {
     panel->library().refresh();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !panel->library().isReading(); }, kPatienceMs));
   }
   QString save(const char* name, float scale) {
     Material material;
@@ -38,7 +43,7 @@ class PresetFiles : public Editor {
     material.parameters.subsurfaceScale = scale;
     const QString path = userPresetFolder() + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".json");
     EXPECT_TRUE(savePreset(path.toStdString(), material));
-    panel->library().refresh();
+    readAgain();
     return path;
   }
   void wear(const QString& path, const QStringList& slots_) {
@@ -259,6 +264,57 @@ TEST_F(PresetFiles, TwoPresetsAreComparedWithEachOther) {
   find<QAction>(QStringLiteral("view.compareEnd"))->trigger();
   EXPECT_LT(meanDifference(now, picture()), 0.2F);
   EXPECT_EQ(undo().count(), 0);
+}
+
+TEST_F(PresetFiles, AFolderOfManyIsReadBesideTheEventLoop) {
+  constexpr int kMany = 500;
+  const QTemporaryDir folder;
+  Material material;
+  for (int i = 0; i < kMany; ++i) {
+    material.name = "Many " + std::to_string(i);
+    material.parameters.subsurfaceScale = 0.001F * static_cast<float>(i);
+    ASSERT_TRUE(savePreset(folder.filePath(QStringLiteral("many%1.json").arg(i)).toStdString(), material));
+  }
+  PresetLibrary library;
+  const std::size_t builtins = library.entries().size();
+  ASSERT_GT(builtins, 20U) << "what the program carries is there at once";
+  QSignalSpy changed(&library, &PresetLibrary::changed);
+  QElapsedTimer clock;
+  clock.start();
+  library.setFolders({folder.path()});
+  const qint64 returned = clock.elapsed();
+  EXPECT_TRUE(library.isReading());
+  EXPECT_EQ(library.entries().size(), builtins);
+  // The event loop goes on meanwhile.
+  int turns = 0;
+  while (library.isReading() && clock.elapsed() < kPatienceMs) {
+    QApplication::processEvents();
+    QTest::qSleep(1);
+    ++turns;
+  }
+  EXPECT_EQ(library.entries().size(), builtins + kMany + 1) << "and the one of this test's folder";
+  EXPECT_EQ(changed.size(), 1);
+  EXPECT_NE(library.find(folder.filePath(QStringLiteral("many499.json"))), nullptr);
+  EXPECT_LT(returned, 30);
+  EXPECT_GT(turns, 3);
+  // Asked twice, the first answer is dropped; where nothing has changed, nobody is told.
+  library.refresh();
+  ASSERT_TRUE(QFile::remove(folder.filePath(QStringLiteral("many0.json"))));
+  library.refresh();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !library.isReading(); }, kPatienceMs));
+  EXPECT_EQ(library.entries().size(), builtins + kMany);
+  EXPECT_EQ(changed.size(), 2);
+  library.refresh();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !library.isReading(); }, kPatienceMs));
+  EXPECT_EQ(changed.size(), 2);
+}
+
+TEST_F(PresetFiles, ALibraryMayGoWhileItReads) {
+  auto library = std::make_unique<PresetLibrary>();
+  library->setFolders({});
+  EXPECT_TRUE(library->isReading());
+  library.reset();
+  QApplication::processEvents();
 }
 
 }  // namespace

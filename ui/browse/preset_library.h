@@ -3,6 +3,7 @@
 
 #include <QFileSystemWatcher>
 #include <QHash>
+#include <QImage>
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
@@ -10,6 +11,7 @@
 
 #include "core/base/result.h"
 #include "core/material/material.h"
+#include "ui/jobs/task_runner.h"
 
 namespace dermis {
 
@@ -17,11 +19,13 @@ namespace dermis {
 [[nodiscard]] QString userPresetFolder();
 
 struct PresetEntry {
+  static constexpr int kBall = 96;
   QString path;  ///< "builtin:NAME", or a file
   QString name;
   Material material;
   QStringList tags;  ///< the shading model, whose it is, and what its metadata say
   QString key;       ///< of all that makes its thumbnail: content, maps, version
+  QImage ball;       ///< stands in for its thumbnail; of what is read beside the event loop
   [[nodiscard]] bool isBuiltin() const;
 };
 
@@ -29,8 +33,9 @@ class PresetLibrary : public QObject {
   Q_OBJECT
  public:
   explicit PresetLibrary(QObject* parent = nullptr);
-  /// Beside the user's own. Reads all of them.
+  /// Beside the user's own. All of them are read; `changed` tells when they are there.
   void setFolders(const QStringList& folders);
+  [[nodiscard]] bool isReading() const { return m_tasks.busy(); }
   [[nodiscard]] const std::vector<PresetEntry>& entries() const { return m_entries; }
   /// Null where there is none.
   [[nodiscard]] const PresetEntry* find(const QString& path) const;
@@ -45,23 +50,35 @@ class PresetLibrary : public QObject {
   Result<void> moveToTrash(const PresetEntry& entry);
 
  public Q_SLOTS:
-  /// Reads the folders again; files that have not changed since are not read.
+  /// Reads the folders again, beside the event loop; files that have not changed since are not read.
   void refresh();
 
  Q_SIGNALS:
   void changed();
+  void problem(const QString& sentence);
   /// A preset has another file and name, or other tags.
   void rewritten(const QString& from, const QString& to, const dermis::Material& before, const dermis::Material& after);
 
  private:
-  void addBuiltins();
-  void addFile(const QString& path);
+  using Known = QHash<QString, PresetEntry>;
+  /// What lies in the folders.
+  struct Found {
+    std::vector<PresetEntry> entries;
+    QStringList watched;
+    Known known;
+  };
+  [[nodiscard]] static Found read(const QStringList& folders, const Known& known, const std::stop_token& stop);
+  void take(Found found);
+  void watch(const QStringList& paths);
+  /// In place of the entry of that path, or at the end; the next reading finds its place.
+  void put(const QString& path, PresetEntry entry);
 
   QStringList m_folders;
   std::vector<PresetEntry> m_entries;
-  QHash<QString, PresetEntry> m_known;  ///< by path, modification time and size
+  Known m_known;  ///< by path, modification time and size
   QFileSystemWatcher m_watcher;
   QTimer m_soon;
+  TaskRunner m_tasks;
 };
 
 }  // namespace dermis

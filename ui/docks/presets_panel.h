@@ -1,6 +1,8 @@
 // The Presets dock: the looks that the program carries and those of watched folders, searched, tried, kept.
 #pragma once
 
+#include <QHash>
+#include <QIcon>
 #include <QWidget>
 #include <functional>
 #include <memory>
@@ -61,6 +63,11 @@ class PresetsPanel : public QWidget {
   void askTags();
   void remember();
   void restore();
+  /// Chooses what was chosen when the editor closed, once it is there.
+  void takeAwaited();
+  void select(const QString& path);
+  /// Its thumbnail, or a ball until there is one.
+  [[nodiscard]] QIcon iconOf(const PresetEntry& entry);
   void tell(const Error& error);
   [[nodiscard]] const PresetEntry* selected() const;
 
@@ -81,6 +88,8 @@ class PresetsPanel : public QWidget {
   QToolButton* m_update = nullptr;
   QToolButton* m_revert = nullptr;
   QToolButton* m_more = nullptr;
+  QHash<QString, QIcon> m_icons;  ///< by the entries' keys
+  QString m_awaitedPath, m_awaitedTag;
   bool m_restored = false;
 };
 
