@@ -38,12 +38,14 @@ class LightsPanel : public Panel {
   using Get = std::function<ParameterValue(const Light&)>;
   using Set = std::function<void(Light&, const ParameterValue&)>;
   using Applies = std::function<bool(const Light&)>;
+  [[nodiscard]] static QString typeLabel(LightType type);
   void buildList();
   void buildRows();
   void addEntry(GroupBox* group, const QString& label, const char* id, const QString& meaning, ValueEditor* editor,
                 Get get, Set set, Applies applies = {});
   void refresh();
   void refreshEditors();
+  [[nodiscard]] static QString nameOf(const Light& light, std::size_t index);
   void rename(std::size_t index, const QString& name);
   [[nodiscard]] int selected() const;
 
