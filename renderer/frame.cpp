@@ -241,11 +241,13 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   return true;
 }
 
-int Frame::levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) const {
+int Frame::levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) {
   // Only where the viewport has already given up pixels to keep pace: a GPU has triangles to spare.
   const bool isReduced = request.displaySize.y > 0 && request.size.y < request.displaySize.y;
   if (!m_software || !request.moving || !isReduced) return 0;
-  resources.wantCoarse();
+  // A single one, as when a window opens, isn't worth the work.
+  if (m_wasReduced) resources.wantCoarse();
+  m_wasReduced = true;
   constexpr float kMostPixels = 0.35F;
   return resources.geometry().levelWithin(kMostPixels * nearestPixel(camera, resources.bounds(), request.size));
 }

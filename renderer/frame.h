@@ -68,7 +68,7 @@ class Frame {
   };
 
   /// The level of the model's triangles that a frame is drawn with.
-  [[nodiscard]] int levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) const;
+  [[nodiscard]] int levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera);
   FrameBlock uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
   void clear(const FrameContext& frame) const;
   /// Null where the surface's images have to be drawn each time.
@@ -93,7 +93,8 @@ class Frame {
   int m_targetSamples = 1;
   CameraMatrices m_lastCamera;
   bool m_lastMultisampled = false;
-  bool m_showsSums = false;  ///< what is shown is the mean of m_samples
+  bool m_wasReduced = false;  ///< some frame before was drawn smaller than it was shown
+  bool m_showsSums = false;   ///< what is shown is the mean of m_samples
 };
 
 }  // namespace dermis

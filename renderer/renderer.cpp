@@ -133,11 +133,11 @@ class GlRenderer final : public Renderer {
   }
 
  private:
-  /// Compiles what the scene's materials need, one program a slice, before the first frame asks for it.
+  /// Compiles what the scene's materials need, one program a slice, before the first frame asks for it: in a window
+  /// that is a moving one on software GL, so what still ones need comes last.
   void queuePrograms(bool withAovs = false) {
     if (m_resources.scene() == nullptr) return;
-    std::vector<gl::ProgramSources> need;
-    std::vector<gl::ProgramSources> moving;
+    std::vector<gl::ProgramSources> both, still, moving;
     const ResolvedScene& scene = *m_resources.scene();
     const bool deferred = m_info.software && deferringPays(scene);
     const bool castShadows =
@@ -158,38 +158,50 @@ class GlRenderer final : public Renderer {
         if (mayDisplace) list.push_back(withTiles(geometryProgram(move, true), tiled));
       };
       if (deferred && !blended) {
-        twoSteps(false, need);
+        twoSteps(false, still);
         if (m_hasWindow && !withAovs) twoSteps(true, moving);
       } else {
-        need.push_back(surface);
-        if (mayDisplace) need.push_back(tessellated(surface));
+        both.push_back(surface);
+        if (mayDisplace) both.push_back(tessellated(surface));
       }
-      need.push_back(vertexLightProgram(scene, i, false));
+      both.push_back(vertexLightProgram(scene, i, false));
       if (deferred && m_hasWindow) moving.push_back(vertexLightProgram(scene, i, true));
-      if (castShadows) need.push_back(withTiles(casterProgram(cutOuts), cutOuts && tiled));
-      if (mayDisplace) need.push_back(withTiles(displacedCasterProgram(), tiled));
+      if (castShadows) both.push_back(withTiles(casterProgram(cutOuts), cutOuts && tiled));
+      if (mayDisplace) both.push_back(withTiles(displacedCasterProgram(), tiled));
     }
     if (isSplit(scene) || withAovs) {
       const std::size_t profiles = profileCount(scene);
       for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Disc, profiles))
-        need.push_back(std::move(sources));
+        still.push_back(std::move(sources));
       if (m_hasWindow)
         for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Separable, profiles))
           moving.push_back(std::move(sources));
     }
-    // What a moving picture needs on software GL comes after what the still one does.
-    need.insert(need.end(), moving.begin(), moving.end());
+    if (m_hasWindow && deferred) {
+      moving.insert(moving.end(), both.begin(), both.end());
+      compileAsJob("programs", moving, false);
+      compileAsJob("programs of still pictures", still, true);
+      return;
+    }
+    for (const auto* list : {&moving, &both}) still.insert(still.end(), list->begin(), list->end());
+    compileAsJob("programs", still, false);
+  }
+
+  void compileAsJob(const char* kind, const std::vector<gl::ProgramSources>& sources, bool last) {
     std::vector<gl::ProgramSources> wanted;
-    for (const gl::ProgramSources& sources : need)
-      if (!m_shaders.has(sources) && std::find(wanted.begin(), wanted.end(), sources) == wanted.end())
-        wanted.push_back(sources);
+    for (const gl::ProgramSources& each : sources)
+      if (!m_shaders.has(each) && std::find(wanted.begin(), wanted.end(), each) == wanted.end()) wanted.push_back(each);
     if (wanted.empty()) return;
     auto step = [this, wanted, next = std::size_t{0}]() mutable -> Result<bool> {
       auto program = m_shaders.program(wanted[next++]);
       if (!program) return tl::unexpected(program.error());
       return next == wanted.size();
     };
-    m_jobs.add("programs", gl::makeJob("Preparing shaders", std::move(step)));
+    auto job = gl::makeJob("Preparing shaders", std::move(step));
+    if (last)
+      m_jobs.addLast(kind, std::move(job));
+    else
+      m_jobs.add(kind, std::move(job));
   }
 
   GlInfo m_info;

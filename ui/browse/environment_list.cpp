@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/base/file_reference.h"
 #include "core/builtin/environments.h"
 #include "ui/browse/list_place.h"
 #include "ui/docks/panel.h"
@@ -17,7 +18,6 @@
 #include "ui/text.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
-#include "ui/thumbnails.h"
 #include "ui/translation.h"
 
 namespace dermis {
@@ -32,14 +32,10 @@ const QString kRecentKey = QStringLiteral("environments/recent");
 const QString kSearchKey = QStringLiteral("environments/search");
 const QString kScrollKey = QStringLiteral("environments/scroll");
 
-/// The built-in panoramas are drawn once a run.
-QIcon builtinIcon(const std::string& id) {
-  static QHash<QString, QIcon> made;
-  QIcon& icon = made[text(id)];
-  if (icon.isNull())
-    if (const auto images = builtinEnvironment(id, 2 * kPixels.width()))
-      icon = QIcon(QPixmap::fromImage(panoramaThumbnail(*images, kPixels)));
-  return icon;
+/// What the panorama of an item is asked for by.
+QString panoramaName(const QListWidgetItem& item) {
+  const QString path = item.data(kPathRole).toString();
+  return path.isEmpty() ? text(builtinReference(item.data(kBuiltinRole).toString().toStdString())) : path;
 }
 
 }  // namespace
@@ -128,9 +124,10 @@ void EnvironmentList::fill() {
   m_place->hold();
   m_list->clear();
   for (const BuiltinEnvironmentRow& row : builtinEnvironments()) {
-    auto* item = new QListWidgetItem(builtinIcon(std::string(row.id)), tableText(row.label), m_list);
+    auto* item = new QListWidgetItem(tableText(row.label), m_list);
     item->setData(kBuiltinRole, text(row.id));
     item->setToolTip(tableText(row.sentence));
+    showPicture(*item);
   }
   QStringList watched;
   for (const QString& folder : m_preferences.values().environmentFolders)
@@ -153,20 +150,23 @@ void EnvironmentList::addFile(const QString& path) {
   auto* item = new QListWidgetItem(QFileInfo(path).completeBaseName(), m_list);
   item->setData(kPathRole, path);
   item->setToolTip(path);
-  const QImage picture = m_panoramas.find(path);
+  showPicture(*item);
+}
+
+void EnvironmentList::showPicture(QListWidgetItem& item) {
+  const QImage picture = m_panoramas.find(panoramaName(item));
   if (!picture.isNull()) {
-    item->setIcon(QIcon(QPixmap::fromImage(picture)));
+    item.setIcon(QIcon(QPixmap::fromImage(picture)));
     return;
   }
   QPixmap empty(kThumbnail);
   empty.fill(palette().color(QPalette::Mid));
-  item->setIcon(QIcon(empty));
+  item.setIcon(QIcon(empty));
 }
 
-void EnvironmentList::showPanorama(const QString& path) {
+void EnvironmentList::showPanorama(const QString& environment) {
   for (int i = 0; i < m_list->count(); ++i)
-    if (m_list->item(i)->data(kPathRole).toString() == path)
-      m_list->item(i)->setIcon(QIcon(QPixmap::fromImage(m_panoramas.find(path))));
+    if (panoramaName(*m_list->item(i)) == environment) showPicture(*m_list->item(i));
 }
 
 void EnvironmentList::showProgress(int waiting) {

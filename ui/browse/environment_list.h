@@ -36,7 +36,8 @@ class EnvironmentList : public QWidget {
   void fill();
   void filter();
   void addFile(const QString& path);
-  void showPanorama(const QString& path);
+  void showPicture(QListWidgetItem& item);
+  void showPanorama(const QString& environment);
   void showProgress(int waiting);
   [[nodiscard]] QStringList readFiles() const;
 

@@ -6,14 +6,28 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "core/base/file_reference.h"
+#include "core/base/resources.h"
+#include "core/builtin/environments.h"
 #include "core/io/asset_loader.h"
 #include "ui/text.h"
 #include "ui/thumbnails.h"
 
 namespace dermis {
 namespace {
-constexpr const char* kPictureVersion = "panorama 2";
+constexpr const char* kPictureVersion = "panorama 3";
+
+std::shared_ptr<const EnvironmentImages> imagesOf(const std::string& environment, int width) {
+  if (const auto name = builtinName(environment)) return builtinEnvironment(*name, width);
+  EnvironmentSource source;
+  source.builtin.clear();
+  source.path = environment;
+  Warnings ignored;
+  const auto images = resolveEnvironment(source, {}, {}, ignored);
+  return images ? *images : nullptr;
 }
+
+}  // namespace
 
 PanoramaMaker::PanoramaMaker(QSize size, QObject* parent)
     : QObject(parent),
@@ -30,36 +44,38 @@ PanoramaMaker::~PanoramaMaker() {
   m_pool.waitForDone();
 }
 
-QString PanoramaMaker::cacheFile(const QString& file) const {
+QString PanoramaMaker::cacheFile(const QString& environment) const {
   QCryptographicHash hash(QCryptographicHash::Sha1);
   hash.addData(QByteArray(kPictureVersion));
-  hash.addData(QByteArray::fromStdString(AssetCache::fileKey(toPath(file))));
+  const std::string name = environment.toStdString();
+  if (const auto builtin = builtinName(name)) {
+    const std::string_view rig = resource("rigs/" + std::string(*builtin) + ".json");
+    hash.addData(QByteArray(rig.data(), static_cast<qsizetype>(rig.size())));
+  } else {
+    hash.addData(QByteArray::fromStdString(AssetCache::fileKey(toPath(environment))));
+  }
   return m_folder + QLatin1Char('/') + QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".png");
 }
 
-QImage PanoramaMaker::find(const QString& file) {
-  const QString cached = cacheFile(file);
+QImage PanoramaMaker::find(const QString& environment) {
+  const QString cached = cacheFile(environment);
   if (QFileInfo::exists(cached)) return QImage(cached);
   if (m_asked.contains(cached)) return {};
   m_asked.insert(cached, true);
   ++m_waiting;
-  m_pool.start([this, file, cached, size = m_size, round = m_round.load()] {
+  m_pool.start([this, environment, cached, size = m_size, round = m_round.load()] {
     bool well = false;
     if (round == m_round) {
-      EnvironmentSource source;
-      source.builtin.clear();
-      source.path = file.toStdString();
-      Warnings ignored;
-      const auto images = resolveEnvironment(source, {}, {}, ignored);
+      const auto images = imagesOf(environment.toStdString(), 2 * size.width());
       QSaveFile out(cached);
-      well = images && out.open(QIODevice::WriteOnly) && panoramaThumbnail(**images, size).save(&out, "PNG") &&
+      well = images && out.open(QIODevice::WriteOnly) && panoramaThumbnail(*images, size).save(&out, "PNG") &&
              out.commit();
     }
     QMetaObject::invokeMethod(
         this,
-        [this, file, well] {
+        [this, environment, well] {
           --m_waiting;
-          if (well) Q_EMIT made(file);
+          if (well) Q_EMIT made(environment);
           Q_EMIT progressed(m_waiting);
         },
         Qt::QueuedConnection);

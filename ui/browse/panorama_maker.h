@@ -1,4 +1,4 @@
-// Thumbnails of environment files, decoded beside the event loop, kept on disk.
+// Thumbnails of environments, decoded or painted beside the event loop, kept on disk.
 #pragma once
 
 #include <QHash>
@@ -16,18 +16,19 @@ class PanoramaMaker : public QObject {
   /// Waits for the one that is being decoded.
   ~PanoramaMaker() override;
 
-  /// Null where it has to be made first; made() follows, unless the file can't be read.
-  QImage find(const QString& file);
+  /// Of a file, or of a light that the program carries, "builtin:NAME". Null where it has to be made first; made()
+  /// follows, unless it can't be read.
+  QImage find(const QString& environment);
   /// What is left waits no longer.
   void cancel();
   [[nodiscard]] int waiting() const { return m_waiting; }
 
  Q_SIGNALS:
-  void made(const QString& file);
+  void made(const QString& environment);
   void progressed(int waiting);
 
  private:
-  [[nodiscard]] QString cacheFile(const QString& file) const;
+  [[nodiscard]] QString cacheFile(const QString& environment) const;
 
   QSize m_size;
   QString m_folder;

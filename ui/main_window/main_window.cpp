@@ -45,6 +45,12 @@
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
+namespace {
+// Software drivers compose the whole window again for a word in the status bar: what is over soon isn't told, and the
+// rest not at every step.
+constexpr int kTellActivityAfterMs = 500;
+constexpr int kTellActivityEveryMs = 150;
+}  // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   installAccessibleValues();
@@ -162,6 +168,8 @@ void MainWindow::connectParts() {
     refreshActivity();
   });
   connect(&m_tasks, &TaskRunner::activityChanged, this, &MainWindow::refreshActivity);
+  m_tellActivity.setSingleShot(true);
+  connect(&m_tellActivity, &QTimer::timeout, this, &MainWindow::showActivity);
   connect(&m_document, &Document::titleChanged, this, &MainWindow::refreshTitle);
   connect(&m_document, &Document::changed, this, [this](Change what) {
     if ((what != Change::Everything && what != Change::Unit) || !m_document.isReady()) return;
@@ -205,9 +213,19 @@ void MainWindow::refreshTitle() {
 }
 
 void MainWindow::refreshActivity() {
+  const bool busy = !m_tasks.title().isEmpty() || !m_jobTitle.isEmpty();
+  m_presets->thumbnails().hold(busy);
+  if (!busy) {
+    m_tellActivity.stop();
+    showActivity();
+  } else if (!m_tellActivity.isActive()) {
+    m_tellActivity.start(m_progress->isVisible() ? kTellActivityEveryMs : kTellActivityAfterMs);
+  }
+}
+
+void MainWindow::showActivity() {
   const QString loading = m_tasks.title();
   const bool busy = !loading.isEmpty() || !m_jobTitle.isEmpty();
-  m_presets->thumbnails().hold(busy);
   m_progress->setVisible(busy);
   m_cancel->setVisible(busy);
   if (!m_tasks.busy(QStringLiteral("picture"))) m_pictureFraction = -1.0;

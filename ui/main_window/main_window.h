@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QTimer>
 #include <filesystem>
 #include <vector>
 
@@ -75,6 +76,7 @@ class MainWindow : public QMainWindow {
   void connectParts();
   void refreshTitle();
   void refreshActivity();
+  void showActivity();
   void tell(MessageKind kind, const QString& sentence);
   void askForPicture();
   void openDropped(const QStringList& paths, const QString& seen);
@@ -121,6 +123,7 @@ class MainWindow : public QMainWindow {
   QProgressBar* m_progress = nullptr;
   QToolButton* m_cancel = nullptr;
   QString m_jobTitle;
+  QTimer m_tellActivity;
   double m_jobFraction = 0.0;
   double m_pictureFraction = -1.0;
   TimeLeft m_timeLeft;

@@ -1,5 +1,7 @@
 #include "ui/viewport/model_picker.h"
 
+#include <utility>
+
 #include "ui/document/document.h"
 #include "ui/text.h"
 
@@ -7,7 +9,10 @@ namespace dermis {
 
 ModelPicker::ModelPicker(Document& document, QObject* parent) : QObject(parent), m_document(document) {
   connect(&m_document, &Document::changed, this, &ModelPicker::follow);
-  follow();
+}
+
+void ModelPicker::begin() {
+  if (!std::exchange(m_begun, true)) follow();
 }
 
 std::optional<SurfaceHit> ModelPicker::hit(const Ray& ray) const {
@@ -15,7 +20,7 @@ std::optional<SurfaceHit> ModelPicker::hit(const Ray& ray) const {
 }
 
 void ModelPicker::follow() {
-  if (m_document.model() == m_model) return;
+  if (!m_begun || m_document.model() == m_model) return;
   m_model = m_document.model();
   m_picker.reset();
   if (!m_model) return;

@@ -17,6 +17,8 @@ class ModelPicker : public QObject {
   Q_OBJECT
  public:
   explicit ModelPicker(Document& document, QObject* parent = nullptr);
+  /// From now on models are made ready: their picture comes first.
+  void begin();
   [[nodiscard]] bool isReady() const { return m_picker != nullptr; }
   /// Nothing beside the model, and for the moment until a new one is ready.
   [[nodiscard]] std::optional<SurfaceHit> hit(const Ray& ray) const;
@@ -28,6 +30,7 @@ class ModelPicker : public QObject {
   void follow();
 
   Document& m_document;
+  bool m_begun = false;
   std::shared_ptr<const Model> m_model;
   std::shared_ptr<const SurfacePicker> m_picker;
   TaskRunner m_work;  ///< of its own: who cancels the loading of a file still wants to point at what is open

@@ -111,6 +111,8 @@ void Viewport::paintGL() {
     scheduleNext();
     return;
   }
+  // The first picture is a quick one of few pixels: something to see before the slow samples.
+  if (m_firstFrame) moving();
   refreshCompared();
   drawFrame();
   const bool settled = std::exchange(m_settling, false);
@@ -151,7 +153,7 @@ FrameRequest Viewport::frameRequest() const {
 void Viewport::drawFrame() {
   FrameRequest request = frameRequest();
   m_frameClock.start();
-  m_wasMoving = m_moving;
+  m_wasMoving = m_moving && !m_firstFrame;  // whose time is that of its uploads
   m_showsSamples = !request.moving;
   m_wasScaled = request.size != request.displaySize;
   const int column = splitColumn(request.displaySize.x);
@@ -160,6 +162,7 @@ void Viewport::drawFrame() {
   if (m_compared) m_compared->draw(request, column);
   if (drawn && m_firstFrame) {
     m_firstFrame = false;
+    QMetaObject::invokeMethod(m_picker, &ModelPicker::begin, Qt::QueuedConnection);
     // Hidden from the event loop: a widget doesn't hide its children while it paints.
     QMetaObject::invokeMethod(m_problem, &QWidget::hide, Qt::QueuedConnection);
     if (std::exchange(m_contextWasLost, false)) tellReset();

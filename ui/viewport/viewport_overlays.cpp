@@ -48,7 +48,7 @@ void Viewport::refreshStatistics(double milliseconds) {
   const RenderStatistics now = m_renderer ? m_renderer->statistics() : RenderStatistics{};
   // Often enough to read, not at every picture: the label is composed with the window.
   const bool last = now.samples >= now.targetSamples;
-  if (m_sinceText.isValid() && m_sinceText.elapsed() < 200 && !last) return;
+  if (m_sinceText.isValid() && m_sinceText.elapsed() < 500 && !last) return;
   m_sinceText.start();
   const QString line = tr("%1 fps   %2 ms   %3/%4", "pictures a second, time of one, samples of how many")
                            .arg(1000.0 / std::max(m_smoothedMs, 0.1), 0, 'f', m_smoothedMs > 100.0 ? 1 : 0)

@@ -10,9 +10,10 @@
 
 #include "core/base/file_reference.h"
 #include "core/base/random.h"
+#include "core/builtin/image_cache.h"
 #include "core/builtin/skin/head_maps.h"
-#include "core/builtin/skin/map_cache.h"
 #include "core/builtin/skin/skin_detail.h"
+#include "generated/skin_source_hash.h"
 
 namespace dermis {
 
@@ -79,10 +80,10 @@ std::shared_ptr<const Image> freckles() {
 /// A fifth of a second's work, wanted at every start.
 std::shared_ptr<const Image> skinDetail() {
   const std::string key(kSkinDetail);
-  if (auto cached = skin::readCachedMap(key, builtinReference(kSkinDetail)))
+  if (auto cached = readCachedImage({kSkinSourceHash, key}, builtinReference(kSkinDetail)))
     return std::make_shared<const Image>(std::move(*cached));
   auto made = std::make_shared<const Image>(skin::makeSkinDetail());
-  skin::writeCachedMap(key, *made);
+  writeCachedImage({kSkinSourceHash, key}, *made);
   return made;
 }
 

@@ -1,12 +1,13 @@
-// Head maps in memory, and on disk by map_cache.h.
+// Head maps in memory, and on disk by image_cache.h.
 #include <fmt/format.h>
 
 #include <map>
 #include <mutex>
 
 #include "core/base/number_format.h"
+#include "core/builtin/image_cache.h"
 #include "core/builtin/skin/head_maps.h"
-#include "core/builtin/skin/map_cache.h"
+#include "generated/skin_source_hash.h"
 
 namespace dermis {
 namespace {
@@ -60,7 +61,7 @@ std::shared_ptr<const Image> headMap(const HeadMapRequest& request) {
   std::erase_if(remembered, [](const auto& entry) { return entry.second.expired(); });
   if (const auto found = remembered.find(key); found != remembered.end())
     if (auto image = found->second.lock()) return image;
-  if (std::optional<Image> cached = skin::readCachedMap(key, name)) {
+  if (std::optional<Image> cached = readCachedImage({kSkinSourceHash, key}, name)) {
     auto image = std::make_shared<const Image>(std::move(*cached));
     remembered[key] = image;
     return image;
@@ -73,7 +74,7 @@ std::shared_ptr<const Image> headMap(const HeadMapRequest& request) {
     HeadMapRequest sibling = request;
     sibling.map = static_cast<HeadMap>(i);
     const std::string siblingKey = keyOf(sibling);
-    skin::writeCachedMap(siblingKey, image);
+    writeCachedImage({kSkinSourceHash, siblingKey}, image);
     // Each keeps the others: whoever asks for one of a look's maps asks for the rest next.
     const std::shared_ptr<const Image> shared(maps, &image);
     remembered[siblingKey] = shared;
