@@ -7,7 +7,6 @@
 
 #include <QApplication>
 #include <QMessageBox>
-#include <QOpenGLContext>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <clocale>
@@ -24,6 +23,7 @@
 #include "ui/preferences/preferences.h"
 #include "ui/theme/theme.h"
 #include "ui/translation.h"
+#include "ui/viewport/opengl_there.h"
 
 namespace dermis {
 namespace {
@@ -77,12 +77,6 @@ bool displayReachable() {
   return xServerAnswers() || waylandAnswers();
 }
 
-/// Qt 6.4 makes no window around an OpenGL widget that gets no context: it dereferences null.
-bool openGlWorks() {
-  QOpenGLContext context;
-  return context.create();
-}
-
 std::map<std::string, std::string> metadataOf(const ResolvedScene& scene, const PictureRequest& request,
                                               const std::string& glRenderer) {
   cli::Look look;
@@ -132,12 +126,9 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
   std::setlocale(LC_NUMERIC, "C");
   loadTranslation(application, QLocale(), translationFolder());
   applyTheme(application, Preferences().values().theme);
-  if (!openGlWorks()) {
-    const QString sentence = QCoreApplication::translate(
-        "start",
-        "OpenGL can't be used on this display; install a graphics driver, or use a command such as \"dermis render\"");
-    std::fprintf(stderr, "dermis: %s\n", qPrintable(sentence));
-    QMessageBox::critical(nullptr, QStringLiteral("Dermis"), sentence + QLatin1Char('.'));
+  if (const QString problem = openGlProblem(); !problem.isEmpty()) {
+    std::fprintf(stderr, "dermis: %s\n", qPrintable(problem));
+    QMessageBox::critical(nullptr, QStringLiteral("Dermis"), problem);
     return 1;
   }
 

@@ -158,6 +158,7 @@ TEST_F(LostContext, ADriverThatStaysBrokenIsNotAskedForever) {
   undo().undo();
   test::mendDriver();
   moveAway();
+  ASSERT_TRUE(toldOf(messages));
   EXPECT_LT(meanDifference(before, picture()), 0.5F);
   EXPECT_TRUE(QTest::qWaitFor([this] { return problem()->isHidden(); }, kPatienceMs));
   EXPECT_EQ(resetsTold(messages), 1);

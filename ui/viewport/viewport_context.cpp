@@ -7,6 +7,7 @@
 
 #include "ui/text.h"
 #include "ui/viewport/compared_picture.h"
+#include "ui/viewport/model_picker.h"
 #include "ui/viewport/viewport.h"
 
 namespace dermis {
@@ -20,6 +21,7 @@ void Viewport::initializeGL() {
     const QString sentence = text(renderer.error().message);
     showProblem(tr("There is no picture: %1").arg(sentence));
     Q_EMIT message(MessageKind::Error, sentence);
+    m_picker->begin();  // there will be no first picture to wait for
     return;
   }
   m_renderer = std::move(*renderer);
