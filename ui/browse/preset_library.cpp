@@ -135,7 +135,7 @@ PresetLibrary::Found PresetLibrary::read(const QStringList& folders, const Known
         entry = readEntry(path);
       if (!entry) continue;
       found.entries.push_back(*entry);
-      found.known.insert(state, std::move(*entry));
+      found.known.insert(state, *entry);
     }
   }
   return found;

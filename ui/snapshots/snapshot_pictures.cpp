@@ -4,6 +4,7 @@
 #include <QOffscreenSurface>
 #include <QStandardPaths>
 #include <QWidget>
+#include <utility>
 
 #include "ui/jobs/picture_job.h"
 #include "ui/jobs/task_runner.h"
@@ -38,7 +39,7 @@ void SnapshotPictures::drawNext() {
       kLane, tr("Drawing a snapshot"),
       [surface, scene, request, cache](std::stop_token stop) {
         return drawPicture(
-            *surface, scene, request, cache, {}, [](double) {}, stop);
+            *surface, scene, request, cache, {}, [](double) {}, std::move(stop));
       },
       // The surface is held here too: it has to go on the thread it came from.
       [this, surface, scene](const Result<DrawnPicture>& result) {
