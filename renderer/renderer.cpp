@@ -177,31 +177,18 @@ class GlRenderer final : public Renderer {
         for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Separable, profiles))
           moving.push_back(std::move(sources));
     }
-    if (m_hasWindow && deferred) {
-      moving.insert(moving.end(), both.begin(), both.end());
-      compileAsJob("programs", moving, false);
-      compileAsJob("programs of still pictures", still, true);
-      return;
-    }
-    for (const auto* list : {&moving, &both}) still.insert(still.end(), list->begin(), list->end());
-    compileAsJob("programs", still, false);
-  }
-
-  void compileAsJob(const char* kind, const std::vector<gl::ProgramSources>& sources, bool last) {
     std::vector<gl::ProgramSources> wanted;
-    for (const gl::ProgramSources& each : sources)
-      if (!m_shaders.has(each) && std::find(wanted.begin(), wanted.end(), each) == wanted.end()) wanted.push_back(each);
+    for (const auto* list : {&moving, &both, &still})
+      for (const gl::ProgramSources& sources : *list)
+        if (!m_shaders.has(sources) && std::find(wanted.begin(), wanted.end(), sources) == wanted.end())
+          wanted.push_back(sources);
     if (wanted.empty()) return;
     auto step = [this, wanted, next = std::size_t{0}]() mutable -> Result<bool> {
       auto program = m_shaders.program(wanted[next++]);
       if (!program) return tl::unexpected(program.error());
       return next == wanted.size();
     };
-    auto job = gl::makeJob("Preparing shaders", std::move(step));
-    if (last)
-      m_jobs.addLast(kind, std::move(job));
-    else
-      m_jobs.add(kind, std::move(job));
+    m_jobs.add("programs", gl::makeJob("Preparing shaders", std::move(step)));
   }
 
   GlInfo m_info;

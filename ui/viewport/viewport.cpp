@@ -74,7 +74,8 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   m_fly.setInterval(16);
   connect(&m_fly, &QTimer::timeout, this, &Viewport::flyStep);
   connect(&m_document, &Document::changed, this, [this](Change what) {
-    if (what != Change::Everything && what != Change::Bookmarks) moving();
+    // Of another model too a quick picture comes first.
+    if (what != Change::Bookmarks) moving();
     refreshLegend();
     update();
   });
