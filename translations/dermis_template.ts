@@ -2013,6 +2013,10 @@ sRGB %4</source>
         <source>%1 copy</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Reading presets</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dermis::PresetList</name>
@@ -2864,6 +2868,13 @@ sRGB %4</source>
     </message>
 </context>
 <context>
+    <name>dermis::SnapshotPictures</name>
+    <message>
+        <source>Drawing a snapshot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>dermis::Snapshots</name>
     <message>
         <source>Snapshot %1</source>
@@ -3393,6 +3404,13 @@ sRGB %4</source>
     </message>
     <message>
         <source>Set of lamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>start</name>
+    <message>
+        <source>OpenGL can&apos;t be used on this display; install a graphics driver, or use a command such as &quot;dermis render&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -30,8 +30,8 @@ struct DisplayInput {
 /// Keeps the views in use ready: their programs' text and textures.
 class DisplayPass {
  public:
-  /// Draws into the framebuffer that is bound, a pixel a texel of the image. Raw is drawn as it is: no exposure, no dither.
-  /// False (and a message) where the view can't be made.
+  /// Draws into the framebuffer that is bound, a pixel a texel of the image. Raw is drawn as it is: no exposure, no
+  /// dither. False (and a message) where the view can't be made.
   bool draw(gl::ShaderLibrary& shaders, MessageLog& messages, const ViewSettings& view, const DisplayInput& input);
 
   /// Shows an image that is not radiance in the framebuffer that is bound. `range` is valueRange(aov, …).
