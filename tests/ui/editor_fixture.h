@@ -22,7 +22,11 @@
 
 namespace dermis {
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kPatienceMs = 900000;  // the head and its maps are made first, at a tenth of the speed
+#else
 constexpr int kPatienceMs = 60000;  // software OpenGL on a busy machine
+#endif
 
 class Editor : public testing::Test {
  protected:
