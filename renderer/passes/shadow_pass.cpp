@@ -75,10 +75,18 @@ ShadowPass::ShadowPass(bool software)
 }
 
 void ShadowPass::draw(const FrameContext& frame, const ShadowSample& sample, RenderStatistics& statistics) {
-  readGeometry(frame);
   std::vector<Light> lights;
   for (const Light& light : frame.scene.scene.lights)
     if (light.enabled && lights.size() < kMaxLights) lights.push_back(animated(light, frame.request.seconds));
+  if (lights.empty()) {
+    // Nothing has to be known of the model, which takes as long as drawing it.
+    m_points.clear();
+    m_faces.clear();
+    m_turn = 0;
+    upload(sample, 0.0F);
+    return;
+  }
+  readGeometry(frame);
   if (lights.size() != m_points.size()) {
     m_points.assign(lights.size(), {});
     m_faces.assign(lights.size(), {});
@@ -95,7 +103,6 @@ void ShadowPass::draw(const FrameContext& frame, const ShadowSample& sample, Ren
   if (!first && !sample.thorough && m_software)
     budget = std::clamp<std::size_t>(kTrianglesASample * 3 / std::max<std::size_t>(m_model->indices.size(), 1), 1,
                                      lights.size());
-  if (lights.empty()) m_turn = 0;
   std::fill(m_fresh.begin(), m_fresh.end(), first);
   for (std::size_t i = 0; !first && i < budget; ++i) m_fresh[m_turn++ % lights.size()] = true;
 

@@ -74,7 +74,8 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   m_fly.setInterval(16);
   connect(&m_fly, &QTimer::timeout, this, &Viewport::flyStep);
   connect(&m_document, &Document::changed, this, [this](Change what) {
-    // Of another model too a quick picture comes first.
+    // Of another model too a quick picture comes first, and what the one before cost says nothing of it.
+    if (what == Change::Everything && m_renderer) m_pace = Pace(!m_renderer->glInfo().software);
     if (what != Change::Bookmarks) moving();
     refreshLegend();
     update();
