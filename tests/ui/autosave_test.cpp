@@ -37,11 +37,16 @@ class Recovering : public Editor {
 
   /// Adds a lamp of that name and waits until the work is safe.
   void edit(const char* name) {
-    QSignalSpy written(&autosave(), &Autosave::written);
     Light light;
     light.name = name;
     document().addLight(light);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !written.isEmpty(); }, kPatienceMs));
+    // What was on its way before may be written once more first.
+    const auto isSafe = [&] {
+      Warnings warnings;
+      const Result<Recovery> kept = loadRecovery(autosave().file(), warnings);
+      return kept && !kept->scene.lights.empty() && kept->scene.lights.back().name == name;
+    };
+    ASSERT_TRUE(QTest::qWaitFor(isSafe, kPatienceMs));
   }
   /// What another editor would leave after a crash.
   static void leaveBehind(const char* lamp, const fs::path& scenePath, std::int64_t when) {

@@ -9,6 +9,10 @@ namespace dermis {
 
 ModelPicker::ModelPicker(Document& document, QObject* parent) : QObject(parent), m_document(document) {
   connect(&m_document, &Document::changed, this, &ModelPicker::follow);
+  // Its threads would slow down the new model's first pictures.
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(500);
+  connect(&m_soon, &QTimer::timeout, this, &ModelPicker::prepare);
 }
 
 void ModelPicker::begin() {
@@ -23,7 +27,14 @@ void ModelPicker::follow() {
   if (!m_begun || m_document.model() == m_model) return;
   m_model = m_document.model();
   m_picker.reset();
-  if (!m_model) return;
+  m_work.cancel(QStringLiteral("picker"));  // another model's
+  if (m_model)
+    m_soon.start();
+  else
+    m_soon.stop();
+}
+
+void ModelPicker::prepare() {
   using Made = Result<std::shared_ptr<const SurfacePicker>>;
   m_work.run(
       QStringLiteral("picker"), QString(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 #include <optional>
 
@@ -28,9 +29,11 @@ class ModelPicker : public QObject {
 
  private:
   void follow();
+  void prepare();
 
   Document& m_document;
   bool m_begun = false;
+  QTimer m_soon;
   std::shared_ptr<const Model> m_model;
   std::shared_ptr<const SurfacePicker> m_picker;
   TaskRunner m_work;  ///< of its own: who cancels the loading of a file still wants to point at what is open
