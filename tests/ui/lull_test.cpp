@@ -19,7 +19,7 @@ TEST(Lull, IsShortWhereNobodyAsks) {
   clock.start();
   lull.start(kPictureMs);
   ASSERT_TRUE(quiet.wait(5000));
-  EXPECT_GE(clock.elapsed(), 39);
+  EXPECT_GE(clock.elapsed(), 37);  // 40, and a coarse timer may be a twentieth early
 }
 
 TEST(Lull, LastsAsLongAsSomebodyAsksButNoLongerThanAPicture) {
