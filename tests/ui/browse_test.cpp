@@ -215,6 +215,15 @@ TEST_F(Browse, AThumbnailIsDrawnByTheProgramAndKept) {
   QTest::qWait(ThumbnailMaker::kWaitMs + 200);
   EXPECT_EQ(process.state(), QProcess::NotRunning);
   maker.hold(false);
+  // While somebody edits it stands still, and goes on afterwards.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return process.state() == QProcess::Running; }, kPatienceMs));
+  const auto state = [&] {
+    QFile stat(QStringLiteral("/proc/%1/stat").arg(process.processId()));
+    return stat.open(QIODevice::ReadOnly) ? stat.readAll().split(')').last().trimmed().left(1) : QByteArray();
+  };
+  maker.yield();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return state() == "T"; }, ThumbnailMaker::kYieldMs / 2));
+  EXPECT_TRUE(made.isEmpty());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !made.isEmpty(); }, kPatienceMs));
   const QImage drawn = maker.find(*entry);
   ASSERT_EQ(drawn.size(), QSize(ThumbnailMaker::kSide, ThumbnailMaker::kSide));

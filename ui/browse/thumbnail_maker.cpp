@@ -1,6 +1,9 @@
 #include "ui/browse/thumbnail_maker.h"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
+
+#include <csignal>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -38,7 +41,10 @@ ThumbnailMaker::ThumbnailMaker(QObject* parent)
   QDir().mkpath(m_folder);
   m_process.setStandardOutputFile(QProcess::nullDevice());
   m_process.setStandardErrorFile(QProcess::nullDevice());
-  m_process.setChildProcessModifier([] { setpriority(PRIO_PROCESS, 0, 19); });
+  m_process.setChildProcessModifier([] {
+    setpriority(PRIO_PROCESS, 0, 19);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // one that stands still must not outlive an editor that crashed
+  });
   connect(&m_process, &QProcess::finished, this, [this](int code) { finished(code == 0); });
   connect(&m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
     if (error == QProcess::FailedToStart) finished(false);
@@ -46,6 +52,12 @@ ThumbnailMaker::ThumbnailMaker(QObject* parent)
   m_later.setSingleShot(true);
   m_later.setInterval(kWaitMs);
   connect(&m_later, &QTimer::timeout, this, &ThumbnailMaker::next);
+  m_yielding.setSingleShot(true);
+  m_yielding.setInterval(kYieldMs);
+  connect(&m_yielding, &QTimer::timeout, this, [this] {
+    signalProcess(SIGCONT);
+    if (!m_later.isActive()) next();
+  });
 }
 
 ThumbnailMaker::~ThumbnailMaker() { cancel(); }
@@ -69,7 +81,7 @@ void ThumbnailMaker::want(const std::vector<PresetEntry>& entries) {
 }
 
 void ThumbnailMaker::next() {
-  if (m_held || !m_current.isEmpty() || m_queue.empty()) return;
+  if (m_held || m_yielding.isActive() || !m_current.isEmpty() || m_queue.empty()) return;
   const Order order = std::move(m_queue.front());
   m_queue.pop_front();
   m_current = order.key;
@@ -96,6 +108,15 @@ void ThumbnailMaker::finished(bool well) {
 
 void ThumbnailMaker::hold(bool held) {
   if (std::exchange(m_held, held) && !held && !m_queue.empty()) m_later.start();
+}
+
+void ThumbnailMaker::yield() {
+  if (!m_yielding.isActive()) signalProcess(SIGSTOP);
+  m_yielding.start();
+}
+
+void ThumbnailMaker::signalProcess(int signal) {
+  if (m_process.processId() > 0) kill(static_cast<pid_t>(m_process.processId()), signal);
 }
 
 void ThumbnailMaker::setEnabled(bool enabled) {

@@ -19,6 +19,8 @@ class ThumbnailMaker : public QObject {
   /// So long after the last change nothing is begun: who types a name or starts the program comes first.
   static constexpr int kWaitMs = 1500;
 
+  static constexpr int kYieldMs = 1000;
+
   explicit ThumbnailMaker(QObject* parent = nullptr);
   ~ThumbnailMaker() override;
 
@@ -29,6 +31,9 @@ class ThumbnailMaker : public QObject {
   void cancel();
   /// While held nothing new is begun: the editor's own loading and baking come first.
   void hold(bool held);
+  /// Something is being edited: what is being drawn stands still until kYieldMs after the last call. Its pictures would
+  /// come half as often on software OpenGL, whatever the priority.
+  void yield();
   /// Off: what is there is shown, nothing is drawn.
   void setEnabled(bool enabled);
   [[nodiscard]] int waiting() const { return static_cast<int>(m_queue.size()) + (m_current.isEmpty() ? 0 : 1); }
@@ -45,6 +50,7 @@ class ThumbnailMaker : public QObject {
   };
   void next();
   void finished(bool well);
+  void signalProcess(int signal);
 
   QString m_folder;
   QString m_program;
@@ -53,6 +59,7 @@ class ThumbnailMaker : public QObject {
   QSet<QString> m_failed;
   QProcess m_process{this};
   QTimer m_later;
+  QTimer m_yielding;
   int m_done = 0;
   bool m_enabled = true;
   bool m_held = false;

@@ -64,6 +64,7 @@ PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& pr
   });
   connect(&m_document, &Document::currentSlotChanged, this, &PresetsPanel::refreshWorn);
   connect(&m_document, &Document::changed, this, [this](Change what) {
+    m_thumbnails.yield();
     if (what == Change::Everything || what == Change::Material) refreshWorn();
   });
   connect(&m_loading, &Loading::presetSaved, &m_library, &PresetLibrary::refresh);
