@@ -36,13 +36,6 @@ std::string glString(GLenum name) {
   return text != nullptr ? text : "";
 }
 
-GlInfo readGlInfo(const std::string& platform) {
-  GlInfo info{glString(GL_VENDOR), glString(GL_RENDERER), glString(GL_VERSION), platform, false};
-  for (const char* name : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"})
-    info.software = info.software || info.renderer.find(name) != std::string::npos;
-  return info;
-}
-
 class GlRenderer final : public Renderer {
  public:
   GlRenderer(const RendererOptions& options, GlInfo info)
@@ -214,6 +207,13 @@ std::vector<Aov> allAovs() {
   return aovs;
 }
 
+GlInfo currentGlInfo(const std::string& platform) {
+  GlInfo info{glString(GL_VENDOR), glString(GL_RENDERER), glString(GL_VERSION), platform, false};
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"})
+    info.software = info.software || info.renderer.find(name) != std::string::npos;
+  return info;
+}
+
 Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& options) {
   const int version = epoxy_gl_version();
   GLint profile = 0;
@@ -222,7 +222,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const RendererOptions& option
     return runtimeError("OpenGL 4.5 is needed and this driver offers " + std::to_string(version / 10) + "." +
                         std::to_string(version % 10) +
                         "; install a newer driver, or run with LIBGL_ALWAYS_SOFTWARE=1 for Mesa's software renderer.");
-  GlInfo info = readGlInfo(options.platform);
+  GlInfo info = currentGlInfo(options.platform);
   info.software = options.software.value_or(info.software);
   return std::make_unique<GlRenderer>(options, std::move(info));
 }

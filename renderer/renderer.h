@@ -41,6 +41,8 @@ struct GlInfo {
   std::string vendor, renderer, version, platform;  ///< platform: "EGL surfaceless", "EGL device", "widget"
   bool software = false;                            ///< llvmpipe, softpipe, swrast
 };
+/// Of the calling thread's current context.
+[[nodiscard]] GlInfo currentGlInfo(const std::string& platform);
 
 struct RendererOptions {
   std::filesystem::path cacheFolder;  ///< for baked environments and models; empty: no disk cache

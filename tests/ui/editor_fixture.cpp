@@ -70,6 +70,11 @@ float Editor::meanDifference(const QImage& a, const QImage& b) {
   return static_cast<float>(sum / (3.0 * a.width() * a.height()));
 }
 
+float Editor::contrast(const QImage& image) {
+  const QImage mean = image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  return meanDifference(image, mean.scaled(image.size()));
+}
+
 std::string triangleObj(const std::string& slot, float size) {
   const std::string s = std::to_string(size);
   return "usemtl " + slot + "\nv 0 0 0\nv " + s + " 0 0\nv 0 " + s + " 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";

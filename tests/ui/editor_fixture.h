@@ -45,7 +45,7 @@ class Editor : public testing::Test {
   /// The viewport's picture once it has come to rest.
   QImage picture() {
     EXPECT_TRUE(QTest::qWaitFor([this] { return window->viewport()->isSettled(); }, kPatienceMs));
-    return window->viewport()->grabFramebuffer();
+    return window->viewport()->grabFrame();
   }
 
   bool waitIdle() {
@@ -68,6 +68,8 @@ class Editor : public testing::Test {
   void reveal(QWidget* control);
 
   static float meanDifference(const QImage& a, const QImage& b);
+  /// From its own mean colour, 0 to 255: of one colour alone there is none.
+  static float contrast(const QImage& image);
   static std::string write(const QTemporaryDir& folder, const char* name, const std::string& bytes) {
     const std::string path = folder.filePath(QString::fromUtf8(name)).toStdString();
     std::ofstream(path, std::ios::binary) << bytes;

@@ -63,7 +63,7 @@ class LostContext : public Editor {
     QTest::qWait(50);
     return told;
   }
-  /// A window of its own and back: the window system gives the widget another context each time.
+  /// A window of its own and back. Where OpenGL composes windows, the widget gets another context each time.
   void moveAway() {
     const QSize size = viewport()->size();
     QLayout* column = viewport()->parentWidget()->layout();
@@ -73,6 +73,7 @@ class LostContext : public Editor {
     viewport()->resize(size);
     viewport()->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(viewport(), kPatienceMs));
+    if (viewport()->hosting() == Hosting::Copied) viewport()->renewContext();
     row->insertWidget(0, viewport(), 1);
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatienceMs));
     ASSERT_TRUE(QTest::qWaitFor([&] { return viewport()->size() == size; }, kPatienceMs));
@@ -95,7 +96,7 @@ TEST_F(LostContext, AResetIsToldOnceAndThePictureComesBack) {
   const int told = test::contextsTold();
   expectAllElseKept([&] {
     test::resetDriver();
-    viewport()->update();
+    viewport()->requestFrame();
     ASSERT_TRUE(toldOf(messages));
   });
   EXPECT_EQ(test::contextsTold(), told + 1);
@@ -131,7 +132,7 @@ TEST_F(LostContext, AComparisonIsMadeAnewAfterAReset) {
   const QImage before = picture();
   QSignalSpy messages(viewport(), &Viewport::message);
   test::resetDriver();
-  viewport()->update();
+  viewport()->requestFrame();
   ASSERT_TRUE(toldOf(messages));
   EXPECT_LT(meanDifference(before, picture()), 0.5F);
   EXPECT_EQ(viewport()->compared(), other.get());
@@ -143,11 +144,11 @@ TEST_F(LostContext, ADriverThatStaysBrokenIsNotAskedForever) {
   QSignalSpy messages(viewport(), &Viewport::message);
   const int told = test::contextsTold();
   test::breakDriver();
-  viewport()->update();
+  viewport()->requestFrame();
   ASSERT_TRUE(QTest::qWaitFor([this] { return problem()->isVisible(); }, kPatienceMs));
   EXPECT_TRUE(problem()->text().contains(QStringLiteral("save the scene")));
   QTest::qWait(500);
-  viewport()->update();
+  viewport()->requestFrame();
   QTest::qWait(500);
   EXPECT_LE(test::contextsTold(), told + 2);
   EXPECT_TRUE(problem()->isVisible());
@@ -176,7 +177,7 @@ TEST_F(LostContext, AViewportMayGoWhileItsContextIsLost) {
     }
     QSignalSpy messages(&second, &Viewport::message);
     test::breakDriver();
-    second.update();
+    second.requestFrame();
     EXPECT_TRUE(QTest::qWaitFor([&] { return !second.glInfo().has_value(); }, kPatienceMs));
   }
   test::mendDriver();

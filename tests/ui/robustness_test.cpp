@@ -26,7 +26,7 @@ class Robust : public Editor {
     const QImage shown = picture();
     EXPECT_EQ(glm::ivec2(shown.width(), shown.height()), expectedPixels());
     EXPECT_EQ(viewport()->statistics().pictureSize, expectedPixels());
-    EXPECT_GT(meanDifference(shown, QImage(shown.size(), shown.format())), 5.0F);
+    EXPECT_GT(contrast(shown), 5.0F);
   }
 };
 
@@ -68,7 +68,7 @@ TEST_F(Robust, AComparisonSurvivesALostContext) {
   viewport()->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(viewport(), kPatienceMs));
   const QImage after = picture();
-  EXPECT_NE(viewport()->context(), context);
+  EXPECT_EQ(viewport()->context() != context, viewport()->hosting() == Hosting::Composed);
   EXPECT_LT(meanDifference(before, after), 1.0F);
   viewport()->compareWith(nullptr);
   window->viewTools()->snapshots().remove(0);

@@ -65,13 +65,14 @@ TEST_F(ViewportGestures, LightsAndViewAreUndoneToTheStart) {
 
 TEST_F(ViewportGestures, ThePictureHasVarianceAndTheStatisticsSpeak) {
   const QImage shown = picture();
-  EXPECT_GT(meanDifference(shown, QImage(shown.size(), shown.format())), 5.0F);
+  EXPECT_GT(contrast(shown), 5.0F);
   EXPECT_TRUE(find<QLabel>(QStringLiteral("viewport.statistics"))->text().contains(QStringLiteral("fps")));
   EXPECT_TRUE(find<QLabel>(QStringLiteral("viewport.problem"))->isHidden());
 }
 
 TEST_F(ViewportGestures, ANewContextShowsTheSamePicture) {
-  // A torn-off window gives the widget another context: everything on the GPU is made again.
+  // Where OpenGL composes windows, one that is torn off gives the widget another context: everything on the GPU is
+  // made again.
   Viewport* viewport = window->viewport();
   const QImage before = picture();
   const QOpenGLContext* context = viewport->context();
@@ -81,8 +82,8 @@ TEST_F(ViewportGestures, ANewContextShowsTheSamePicture) {
   viewport->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(viewport, kPatienceMs));
   const QImage alone = picture();
-  EXPECT_NE(viewport->context(), context);
-  EXPECT_GT(meanDifference(alone, QImage(alone.size(), alone.format())), 5.0F);
+  EXPECT_EQ(viewport->context() != context, viewport->hosting() == Hosting::Composed);
+  EXPECT_GT(contrast(alone), 5.0F);
   home->layout()->addWidget(viewport);
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get(), kPatienceMs));
   const QImage after = picture();

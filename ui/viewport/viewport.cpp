@@ -13,6 +13,7 @@
 #include "ui/viewport/fly_keys.h"
 #include "ui/viewport/legend.h"
 #include "ui/viewport/model_picker.h"
+#include "ui/viewport/opengl_there.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/overlay_canvas.h"
 
@@ -31,7 +32,7 @@ constexpr int kRestBeforeStillMs = 500;  // with a button held: slow samples wou
 
 }  // namespace
 
-Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent), m_document(document) {
+Viewport::Viewport(Document& document, QWidget* parent) : GlWidget(hostingHere(), parent), m_document(document) {
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("Viewport"));
   setFocusPolicy(Qt::StrongFocus);
@@ -65,9 +66,9 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
     if (m_jobsLeft)
       continueJobs();
     else
-      update();
+      requestFrame();
   });
-  connect(&m_lull, &Lull::quiet, this, qOverload<>(&QWidget::update));
+  connect(&m_lull, &Lull::quiet, this, &GlWidget::requestFrame);
   m_still.setSingleShot(true);
   m_still.setInterval(kStillAfterMs);
   connect(&m_still, &QTimer::timeout, this, &Viewport::still);
@@ -75,12 +76,12 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
   connect(&m_fly, &QTimer::timeout, this, &Viewport::flyStep);
   connect(&m_document, &Document::changed, this, [this](Change what) {
     // Of another model too a quick picture comes first, and what the one before cost says nothing of it.
-    if (what == Change::Everything && m_renderer) m_pace = Pace(!m_renderer->glInfo().software);
+    if (what == Change::Everything && m_renderer) m_pace = firstPace();
     if (what != Change::Bookmarks) moving();
     refreshLegend();
-    update();
+    requestFrame();
   });
-  connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
+  connect(this, &GlWidget::frameShown, this, [this] {
     if (!m_frameClock.isValid()) return;
     const double milliseconds = static_cast<double>(m_frameClock.nsecsElapsed()) * 1e-6;
     m_frameClock.invalidate();
@@ -90,7 +91,7 @@ Viewport::Viewport(Document& document, QWidget* parent) : QOpenGLWidget(parent),
 }
 
 Viewport::~Viewport() {
-  // QOpenGLWidget destroys its context when all that is ours has gone.
+  // The context is destroyed when all that is ours has gone.
   if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
   releaseRenderer();
 }
@@ -141,7 +142,7 @@ FrameRequest Viewport::frameRequest() const {
   request.moving = m_moving || m_settling;
   request.targetSamples = animated() ? 1 : m_targetSamples;
   request.seconds = static_cast<double>(m_clock.elapsed()) * 1e-3;
-  request.framebuffer = defaultFramebufferObject();
+  request.framebuffer = framebuffer();
   request.references = m_references;
   // A fast machine draws all pixels anyway: its pace stays at 1.
   if (m_moving && !m_resting) {
@@ -165,8 +166,14 @@ void Viewport::drawFrame() {
   if (drawn && m_firstFrame) {
     m_firstFrame = false;
     QMetaObject::invokeMethod(m_picker, &ModelPicker::begin, Qt::QueuedConnection);
-    // Hidden from the event loop: a widget doesn't hide its children while it paints.
-    QMetaObject::invokeMethod(m_problem, &QWidget::hide, Qt::QueuedConnection);
+    // From the event loop: a widget doesn't hide its children while it paints. Seen at once, not with the next frame.
+    QMetaObject::invokeMethod(
+        m_problem,
+        [this] {
+          m_problem->hide();
+          repaint();
+        },
+        Qt::QueuedConnection);
     if (std::exchange(m_contextWasLost, false)) tellReset();
   }
   for (const std::string& line : m_renderer->takeMessages()) {
@@ -197,13 +204,13 @@ void Viewport::continueJobs() {
   if (m_compared && m_compared->runJobs(kJobSliceMs)) m_jobsLeft = true;
   const auto [what, fraction] = m_renderer->jobProgress();
   // What an earlier job made is shown while another goes on.
-  if (m_renderer->drawable() && std::exchange(m_jobText, what) != what) update();
+  if (m_renderer->drawable() && std::exchange(m_jobText, what) != what) requestFrame();
   doneCurrent();
   Q_EMIT jobProgress(m_jobsLeft ? tableText(what) : QString(), fraction);
   if (m_jobsLeft)
     m_next.start(0);
   else
-    update();
+    requestFrame();
 }
 
 void Viewport::cancelJobs() {
@@ -212,7 +219,7 @@ void Viewport::cancelJobs() {
   doneCurrent();
   m_jobsLeft = false;
   Q_EMIT jobProgress(QString(), 0.0);
-  update();
+  requestFrame();
 }
 
 void Viewport::moving() {
@@ -232,14 +239,14 @@ void Viewport::still() {
     m_moving = false;
     m_resting = false;
   }
-  update();
+  requestFrame();
 }
 
 bool Viewport::eventFilter(QObject* watched, QEvent* event) {
   // Whatever was dragged, a slider, a light, the camera: letting go ends it.
   if (event->type() == QEvent::MouseButtonRelease && m_moving)
     QMetaObject::invokeMethod(this, &Viewport::still, Qt::QueuedConnection);
-  return QOpenGLWidget::eventFilter(watched, event);
+  return GlWidget::eventFilter(watched, event);
 }
 
 void Viewport::setAov(Aov aov) {
@@ -247,7 +254,7 @@ void Viewport::setAov(Aov aov) {
   m_aov = aov;
   refreshViewName();
   Q_EMIT aovChanged(aov);
-  update();
+  requestFrame();
 }
 
 void Viewport::setWithoutSubsurface(bool without) {
@@ -255,13 +262,20 @@ void Viewport::setWithoutSubsurface(bool without) {
   m_withoutSubsurface = without;
   refreshViewName();
   Q_EMIT withoutSubsurfaceChanged(without);
-  update();
+  requestFrame();
 }
 
 void Viewport::setTargetSamples(int samples) {
   m_targetSamples = std::max(1, samples);
-  update();
+  requestFrame();
 }
+
+void Viewport::setPaceTarget(double milliseconds) {
+  m_paceTarget = milliseconds;
+  m_pace = firstPace();
+}
+
+Pace Viewport::firstPace() const { return Pace(m_renderer && !m_renderer->glInfo().software, m_paceTarget); }
 
 RenderStatistics Viewport::statistics() const { return m_renderer ? m_renderer->statistics() : RenderStatistics{}; }
 

@@ -1,8 +1,7 @@
-// The picture: hosts a Renderer in a QOpenGLWidget, turns gestures into camera, light and environment changes.
+// The picture: hosts a Renderer in a widget, turns gestures into camera, light and environment changes.
 #pragma once
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
 #include <QTimer>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "renderer.h"
 #include "ui/document/loading.h"
 #include "ui/rows/gesture.h"
+#include "ui/viewport/gl_widget.h"
 #include "ui/viewport/lull.h"
 #include "ui/viewport/pace.h"
 #include "ui/viewport/projection.h"
@@ -30,7 +30,7 @@ class OverlayLabel;
 class ScaleBar;
 class ViewportTool;
 
-class Viewport : public QOpenGLWidget {
+class Viewport : public GlWidget {
   Q_OBJECT
  public:
   explicit Viewport(Document& document, QWidget* parent = nullptr);
@@ -47,6 +47,8 @@ class Viewport : public QOpenGLWidget {
   [[nodiscard]] bool withoutSubsurface() const { return m_withoutSubsurface; }
   void setTargetSamples(int samples);
   void setStatisticsVisible(bool visible);
+  /// How long a picture may take while something is dragged, before it is drawn with fewer pixels.
+  void setPaceTarget(double milliseconds);
   void cancelJobs();
   /// What the renderer has done so far; zeros without one.
   [[nodiscard]] RenderStatistics statistics() const;
@@ -98,6 +100,7 @@ class Viewport : public QOpenGLWidget {
  protected:
   void initializeGL() override;
   void paintGL() override;
+  void contextLost() override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -113,6 +116,8 @@ class Viewport : public QOpenGLWidget {
 
  private:
   enum class Drag { None, Orbit, Pan, Zoom, Look, TurnEnvironment };
+  /// What the machine is taken for until pictures have been measured.
+  [[nodiscard]] Pace firstPace() const;
   void releaseRenderer();
   /// The context goes, by itself or because it was lost.
   void leaveContext();
@@ -123,8 +128,6 @@ class Viewport : public QOpenGLWidget {
   /// Makes the context current; false where there is none any more.
   bool takeContext();
   void loseRenderer();
-  /// Has Qt make another context in place of a lost one.
-  void renewContext();
   /// That there is a picture again.
   void tellReset();
   void drawFrame();
@@ -170,6 +173,7 @@ class Viewport : public QOpenGLWidget {
   bool m_wasMoving = false;     ///< the frame shown last was a moving one
   bool m_showsSamples = false;  ///< the frame shown last was a still one
   bool m_wasScaled = false;     ///< and had fewer pixels than the widget
+  double m_paceTarget = Pace::kTargetMs;
   Pace m_pace;
   ReferenceObjects m_references;
   std::unique_ptr<ComparedPicture> m_compared;

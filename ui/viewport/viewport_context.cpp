@@ -1,6 +1,5 @@
 // The graphics card under the picture: the renderer is made with each context, and given up with it or when the driver
 // takes the context away.
-#include <QCoreApplication>
 #include <QOpenGLContext>
 #include <QStandardPaths>
 #include <utility>
@@ -25,7 +24,7 @@ void Viewport::initializeGL() {
     return;
   }
   m_renderer = std::move(*renderer);
-  m_pace = Pace(!m_renderer->glInfo().software);
+  m_pace = firstPace();
   m_drawn.reset();
   m_firstFrame = true;
 }
@@ -85,10 +84,13 @@ void Viewport::loseRenderer() {
         showProblem(
             tr("The graphics driver was reset. If the picture doesn't come back, save the scene and start Dermis "
                "again."));
-        // Where Qt has noticed, it makes another context by itself.
-        if (!again && context() != nullptr && context()->isValid()) renewContext();
+        if (!again) renewContext();
       },
       Qt::QueuedConnection);
+}
+
+void Viewport::contextLost() {
+  if (m_renderer) loseRenderer();
 }
 
 void Viewport::tellReset() {
@@ -99,15 +101,6 @@ void Viewport::tellReset() {
                        tr("The graphics driver was reset and the picture is made anew; the scene has lost nothing."));
       },
       Qt::QueuedConnection);
-}
-
-void Viewport::renewContext() {
-  // What Qt tells a widget that moves to another window, where it cannot keep its context.
-  for (const QEvent::Type type : {QEvent::WindowAboutToChangeInternal, QEvent::WindowChangeInternal}) {
-    QEvent event(type);
-    QCoreApplication::sendEvent(this, &event);
-  }
-  update();
 }
 
 }  // namespace dermis

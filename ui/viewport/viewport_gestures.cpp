@@ -162,7 +162,7 @@ bool Viewport::event(QEvent* event) {
   }
   // A screen with other pixels resizes the picture though the widget keeps its size.
   if (event->type() == QEvent::ScreenChangeInternal) tellPixels();
-  return QOpenGLWidget::event(event);
+  return GlWidget::event(event);
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
@@ -179,7 +179,7 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     }
     return;
   }
-  QOpenGLWidget::keyPressEvent(event);
+  GlWidget::keyPressEvent(event);
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent* event) {
@@ -187,19 +187,19 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
     if (!m_flyKeys->any()) m_fly.stop();
     return;
   }
-  QOpenGLWidget::keyReleaseEvent(event);
+  GlWidget::keyReleaseEvent(event);
 }
 
 void Viewport::focusOutEvent(QFocusEvent* event) {
   m_flyKeys->clear();
   m_fly.stop();
-  QOpenGLWidget::focusOutEvent(event);
+  GlWidget::focusOutEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event) {
   for (ViewportTool* tool : m_tools) tool->leave();
   Q_EMIT pointerLeft();
-  QOpenGLWidget::leaveEvent(event);
+  GlWidget::leaveEvent(event);
 }
 
 void Viewport::flyStep() {

@@ -75,11 +75,10 @@ void Viewport::placeOverlays() {
   m_legend->move(width() - m_legend->width() - kEdge, kEdge);
   m_problem->setGeometry(rect());
   m_canvas->setGeometry(rect());
-  m_canvas->lower();  // text stays readable over it
 }
 
 void Viewport::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
+  GlWidget::resizeEvent(event);
   placeOverlays();
   tellPixels();
 }

@@ -47,7 +47,7 @@ std::optional<SurfaceHit> Viewport::surfaceAt(const QPointF& at) const { return 
 QImage Viewport::picture() {
   if (!m_renderer || m_firstFrame) return {};
   // A moving picture has no samples of its own to be read: what the window shows has to do.
-  if (!m_showsSamples) return grabFramebuffer();
+  if (!m_showsSamples) return grabFrame();
   if (!takeContext()) return {};
   const Image image = m_renderer->readView(Aov::Beauty, m_document.scene().view, PixelType::U8);
   doneCurrent();
@@ -59,7 +59,7 @@ QImage Viewport::picture() {
 void Viewport::setReferences(const ReferenceObjects& references) {
   if (references == m_references) return;
   m_references = references;
-  update();
+  requestFrame();
 }
 
 void Viewport::compareWith(std::shared_ptr<const ResolvedScene> scene, std::shared_ptr<const ResolvedScene> left) {
@@ -69,7 +69,7 @@ void Viewport::compareWith(std::shared_ptr<const ResolvedScene> scene, std::shar
   m_leftScene = std::move(left);
   Q_EMIT comparisonChanged();
   updateOverlay();
-  update();
+  requestFrame();
 }
 
 std::shared_ptr<const ResolvedScene> Viewport::leftScene() const {
@@ -79,7 +79,7 @@ std::shared_ptr<const ResolvedScene> Viewport::leftScene() const {
 void Viewport::setSplit(double share) {
   m_split = std::clamp(share, 0.0, 1.0);
   updateOverlay();
-  update();
+  requestFrame();
 }
 
 int Viewport::splitColumn(int columns) const {
