@@ -75,7 +75,6 @@ DiffusionPanel::DiffusionPanel(Document& document, QWidget* parent) : QWidget(pa
     if (what != Change::Environment && what != Change::Lights && what != Change::View) refresh();
   });
   connect(&m_document, &Document::currentSlotChanged, this, &DiffusionPanel::refresh);
-  refresh();
 }
 
 void DiffusionPanel::setPictureHeight(int pixels) {
@@ -84,13 +83,13 @@ void DiffusionPanel::setPictureHeight(int pixels) {
   refresh();
 }
 
-void DiffusionPanel::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
+void DiffusionPanel::setSeen(bool seen) {
+  m_seen = seen;
   refresh();
 }
 
 void DiffusionPanel::refresh() {
-  if (!isVisible()) return;
+  if (!m_seen) return;
   const SlotLook* look = m_document.currentLook();
   const std::shared_ptr<const ResolvedScene> scene = m_document.snapshot();
   const Material* material = look != nullptr ? &look->worn.material : nullptr;

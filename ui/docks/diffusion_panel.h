@@ -19,9 +19,8 @@ class DiffusionPanel : public QWidget {
   /// Height of the picture in the viewport, in device pixels: with the camera it says how wide a pixel is at the focus.
   void setPictureHeight(int pixels);
   [[nodiscard]] const DiffusionCurves& curves() const { return m_curves; }
-
- protected:
-  void showEvent(QShowEvent* event) override;
+  /// A dock behind another's tab is visible to Qt. What nobody sees follows nothing.
+  void setSeen(bool seen);
 
  private:
   void refresh();
@@ -38,6 +37,7 @@ class DiffusionPanel : public QWidget {
   DiffusionCurves m_curves;
   glm::vec3 m_albedo{0.0F};
   int m_pictureHeight = 720;
+  bool m_seen = false;
 };
 
 }  // namespace dermis

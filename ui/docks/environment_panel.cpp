@@ -27,7 +27,7 @@ EnvironmentPanel::EnvironmentPanel(Document& document, Loading& loading, Prefere
     : Panel(parent), m_document(document), m_loading(loading) {
   buildList(preferences);
   buildRows();
-  m_rig = new RigBox(this);
+  m_rig = new RigBox(body());
   addWidget(m_rig);
   finish();
   connect(&m_document, &Document::changed, this, [this](Change what) {

@@ -37,10 +37,12 @@ QVBoxLayout* Panel::strip() {
 }
 
 GroupBox* Panel::addGroup(const QString& title, const QString& key) {
-  auto* group = new GroupBox(title, key, this);
+  auto* group = new GroupBox(title, key, body());
   m_rows->addWidget(group);
   return group;
 }
+
+QWidget* Panel::body() const { return m_rows->parentWidget(); }
 
 void Panel::addWidget(QWidget* widget) { m_rows->addWidget(widget); }
 

@@ -20,6 +20,8 @@ class Panel : public QWidget {
   QVBoxLayout* strip();
   /// A group at the end of the scrolling rows.
   GroupBox* addGroup(const QString& title, const QString& key);
+  /// What scrolls: the parent of all that is added.
+  [[nodiscard]] QWidget* body() const;
   void addWidget(QWidget* widget);
   /// To be called once, after the last group.
   void finish();

@@ -52,7 +52,7 @@ TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* pare
   strip()->addWidget(m_report);
   m_report->hide();
 
-  auto* holder = new QWidget(this);
+  auto* holder = new QWidget(body());
   auto* column = new QVBoxLayout(holder);
   column->setContentsMargins(metrics::kMargin, metrics::kMargin, metrics::kMargin, metrics::kMargin);
   column->setSpacing(metrics::kGap + 2);

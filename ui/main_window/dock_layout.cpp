@@ -34,11 +34,10 @@ DockLayout::DockLayout(QMainWindow& window) : QObject(&window), m_window(window)
   });
 }
 
-QDockWidget* DockLayout::add(const QString& title, const QString& name, QWidget* content) {
+QDockWidget* DockLayout::add(const QString& title, const QString& name) {
   auto* dock = new QDockWidget(title, &m_window);
   dock->setObjectName(QStringLiteral("dock.") + name);
   dock->setAccessibleName(title);
-  dock->setWidget(content);
   m_docks << dock;
   m_window.addDockWidget(Qt::RightDockWidgetArea, dock);
   // Whether a dock shares its place is only known once the layout has settled.

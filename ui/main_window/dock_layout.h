@@ -1,11 +1,12 @@
 // The docks: where they stand at first, remembered between sessions, hidden and brought back together.
 #pragma once
 
+#include <QDockWidget>
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <utility>
 
-class QDockWidget;
 class QMainWindow;
 
 namespace dermis {
@@ -14,8 +15,17 @@ class DockLayout : public QObject {
   Q_OBJECT
  public:
   explicit DockLayout(QMainWindow& window);
-  /// `name` is the remembered state's key.
-  QDockWidget* add(const QString& title, const QString& name, QWidget* content);
+  /// An empty dock, for addPanel and for those who want to know of it; `name` is the remembered state's key.
+  QDockWidget* add(const QString& title, const QString& name);
+  /// A dock with a `Panel`, which is made inside it: a panel that moves into a dock is given its style, and measured, a
+  /// second time.
+  template <class Panel, class... Arguments>
+  Panel* addPanel(const QString& title, const QString& name, Arguments&&... arguments) {
+    QDockWidget* dock = add(title, name);
+    auto* panel = new Panel(std::forward<Arguments>(arguments)..., dock);
+    dock->setWidget(panel);
+    return panel;
+  }
   [[nodiscard]] const QList<QDockWidget*>& docks() const { return m_docks; }
   /// To be called once all are added.
   void restore();

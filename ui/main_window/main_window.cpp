@@ -95,23 +95,19 @@ void MainWindow::buildCentre() {
 
 void MainWindow::buildDocks() {
   m_docks = new DockLayout(*this);
-  m_material = new MaterialPanel(m_document, m_loading, this);
-  m_textures = new TexturesPanel(m_document, m_loading, this);
-  m_lights = new LightsPanel(m_document, this);
-  m_environment = new EnvironmentPanel(m_document, m_loading, m_preferences, this);
-  m_camera = new CameraPanel(m_document, this);
-  m_diffusion = new DiffusionPanel(m_document, this);
-  m_presets = new PresetsPanel(m_document, m_loading, m_preferences, this);
-  m_log = new LogPanel(this);
-  m_docks->add(tr("Presets"), QStringLiteral("presets"), m_presets);
-  m_docks->add(tr("Environment"), QStringLiteral("environment"), m_environment);
-  m_docks->add(tr("Lights"), QStringLiteral("lights"), m_lights);
-  m_docks->add(tr("Camera && view"), QStringLiteral("camera"), m_camera);
-  m_docks->add(tr("Diffusion"), QStringLiteral("diffusion"), m_diffusion);
-  m_docks->add(tr("Material"), QStringLiteral("material"), m_material);
-  m_docks->add(tr("Texture maps"), QStringLiteral("textures"), m_textures);
-  m_docks->add(tr("Log"), QStringLiteral("log"), m_log);
-  m_docks->add(tr("History"), QStringLiteral("history"), new HistoryPanel(m_document.undoStack(), this));
+  m_presets =
+      m_docks->addPanel<PresetsPanel>(tr("Presets"), QStringLiteral("presets"), m_document, m_loading, m_preferences);
+  m_environment = m_docks->addPanel<EnvironmentPanel>(tr("Environment"), QStringLiteral("environment"), m_document,
+                                                      m_loading, m_preferences);
+  m_lights = m_docks->addPanel<LightsPanel>(tr("Lights"), QStringLiteral("lights"), m_document);
+  m_camera = m_docks->addPanel<CameraPanel>(tr("Camera && view"), QStringLiteral("camera"), m_document);
+  m_diffusion = m_docks->addPanel<DiffusionPanel>(tr("Diffusion"), QStringLiteral("diffusion"), m_document);
+  m_material = m_docks->addPanel<MaterialPanel>(tr("Material"), QStringLiteral("material"), m_document, m_loading);
+  m_textures = m_docks->addPanel<TexturesPanel>(tr("Texture maps"), QStringLiteral("textures"), m_document, m_loading);
+  m_log = m_docks->addPanel<LogPanel>(tr("Log"), QStringLiteral("log"));
+  m_docks->addPanel<HistoryPanel>(tr("History"), QStringLiteral("history"), m_document.undoStack());
+  connect(qobject_cast<QDockWidget*>(m_diffusion->parentWidget()), &QDockWidget::visibilityChanged, m_diffusion,
+          &DiffusionPanel::setSeen);
   m_tools->addDocks(*m_docks);
   m_tools->connectPanels(*m_lights, *m_camera, *m_environment);
 }

@@ -90,9 +90,9 @@ ViewTools::ViewTools(Document& document, TaskRunner& tasks, Viewport& viewport, 
 QWidget* ViewTools::besideView(QWidget* parent) { return new ReferenceView(*m_reference, parent); }
 
 void ViewTools::addDocks(DockLayout& docks) {
-  docks.add(tr("Reference"), QStringLiteral("reference"), new ReferencePanel(*m_reference, &m_window));
-  m_strip = new SnapshotsPanel(*m_snapshots, &m_window);
-  m_stripDock = docks.add(tr("Snapshots"), QStringLiteral("snapshots"), m_strip);
+  docks.addPanel<ReferencePanel>(tr("Reference"), QStringLiteral("reference"), *m_reference);
+  m_strip = docks.addPanel<SnapshotsPanel>(tr("Snapshots"), QStringLiteral("snapshots"), *m_snapshots);
+  m_stripDock = qobject_cast<QDockWidget*>(m_strip->parentWidget());
   connect(m_strip, &SnapshotsPanel::takeRequested, this, &ViewTools::takeSnapshot);
   connect(m_strip, &SnapshotsPanel::compareRequested, this, &ViewTools::compareWithSnapshot);
 }
