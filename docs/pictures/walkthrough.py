@@ -3,9 +3,9 @@
 
   dbus-run-session -- python3 docs/pictures/walkthrough.py build/bin/dermis docs/pictures      (with a DISPLAY of 1600 × 1000)
 
-Opens a head and its maps (the program's own, exported first), chooses an environment, tunes ten sliders, compares with
+Opens a head, drops a folder of maps on it (the program's own, exported first), chooses an environment, tunes ten sliders, compares with
 a snapshot, saves the preset and a picture; then looks whether preset and picture are what was done. AT-SPI only tells
-where the controls are: hands are xdotool's. Needs xdotool, ImageMagick, openbox or another window manager, and what
+where the controls are: hands are xdotool's. What maps are dragged out of is `dermis_ui_tests --drag-source` beside the program. Needs xdotool, ImageMagick, openbox or another window manager, and what
 tests/ui/assistive.py needs.
 """
 import json
@@ -34,6 +34,7 @@ SLIDERS = [
     ("transmission.weight", "Transmission › Weight", 0.75),
     ("surface.normal_strength", "Surface › Normal strength", 0.60),
 ]
+MAPS = ("albedo", "normal", "roughness")
 ENVIRONMENT = "Window daylight"
 SAMPLES = 6
 
@@ -136,11 +137,26 @@ class Pictures:
         print(target, flush=True)
 
 
+def drop(source, path, onto):
+    """The path from a window of another process, as out of a file manager."""
+    box = box_of(onto)
+    with subprocess.Popen([source, "--drag-source", path]) as manager:
+        found = wait_for("what is dragged out of",
+                         lambda: subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^drag source$"],
+                                                check=False, capture_output=True, text=True).stdout.split())
+        time.sleep(1)
+        where = dict(line.split("=") for line in run("xdotool", "getwindowgeometry", "--shell", found[-1]).split())
+        drag(int(where["X"]) + 80, int(where["Y"]) + 16, box.x + box.width / 2, box.y + box.height / 2)
+        time.sleep(1)
+        manager.kill()
+
+
 def export(program, folder):
     """A head and maps on disk, as an artist has them."""
     run(program, "export", "model", "builtin:head", "-o", os.path.join(folder, "head.glb"))
-    for name in ("albedo", "normal", "roughness"):
-        run(program, "export", "map", f"builtin:head_{name}", "-o", os.path.join(folder, f"head_{name}.png"))
+    os.mkdir(os.path.join(folder, "maps"))
+    for name in MAPS:
+        run(program, "export", "map", f"builtin:head_{name}", "-o", os.path.join(folder, "maps", f"head_{name}.png"))
 
 
 def file_dialog(title, path):
@@ -153,7 +169,7 @@ def file_dialog(title, path):
     wait_for(f"the end of {title}", lambda: window(title) is None)
 
 
-def walk_through(home, pictures):
+def walk_through(home, source, pictures):
     Atspi.set_timeout(60000, 60000)
     wait_for("the program", application)
     preparing = need("Preparing the picture…", pyatspi.ROLE_LABEL)
@@ -168,12 +184,11 @@ def walk_through(home, pictures):
     pictures.take()
     click(close)
 
-    # Its maps.
+    # Its maps: their folder, from another program onto the panel.
     click(need("Texture maps", pyatspi.ROLE_PAGE_TAB))
-    for name in ("Albedo", "Normal", "Roughness"):
-        click(need(f"{name} map: choose a file", pyatspi.ROLE_PUSH_BUTTON))
-        file_dialog(f"Choose the {name.lower()} map", os.path.join(home, f"head_{name.lower()}.png"))
-        time.sleep(2)
+    drop(source, os.path.join(home, "maps"), need("Albedo map: choose a file", pyatspi.ROLE_PUSH_BUTTON))
+    for name in MAPS:
+        need(f"head_{name}.png", pyatspi.ROLE_LABEL)
     pictures.take()
 
     click(need(ENVIRONMENT, pyatspi.ROLE_LIST_ITEM))
@@ -217,6 +232,7 @@ def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     program, out = os.path.abspath(sys.argv[1]), sys.argv[2]
+    source = os.path.join(os.path.dirname(program), "dermis_ui_tests")
     with tempfile.TemporaryDirectory() as home:
         export(program, home)
         os.mkdir(os.path.join(home, "Dermis"))
@@ -226,7 +242,7 @@ def main():
                            QT_QPA_PLATFORM="xcb", QT_LINUX_ACCESSIBILITY_ALWAYS_ON="1")
         with subprocess.Popen([program], env=environment) as editor:
             try:
-                tuned, preset, picture = walk_through(home, Pictures(home, out))
+                tuned, preset, picture = walk_through(home, source, Pictures(home, out))
             finally:
                 editor.kill()
         with open(preset, encoding="utf-8") as file:

@@ -10,12 +10,14 @@
 #include <cstdio>
 #include <cstring>
 
+#include "ui/drag_source.h"
 #include "ui/edit_until_killed.h"
 #include "ui/editor_fixture.h"
 #include "ui/theme/theme.h"
 
 int main(int argc, char** argv) {
   if (argc > 1 && std::strcmp(argv[1], dermis::kEditUntilKilled) == 0) return dermis::editUntilKilled(argc, argv);
+  if (argc > 1 && std::strcmp(argv[1], dermis::kDragSource) == 0) return dermis::dragSource(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   if (qEnvironmentVariableIsEmpty("DISPLAY")) {
     std::fputs("these tests need an X server (Xvfb -screen 0 1600x1000x24 +extension GLX)\n", stderr);
