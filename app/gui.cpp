@@ -17,6 +17,7 @@
 
 #include "app/commands/look.h"
 #include "app/commands/metadata.h"
+#include "core/base/background.h"
 #include "core/io/udim.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/safety_net.h"
@@ -107,6 +108,7 @@ int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) 
         stderr);
     return 1;
   }
+  putPicturesFirst();
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);

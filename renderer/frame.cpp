@@ -139,7 +139,6 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      cameraMatrices(request.camera, resources.bounds(), request.size, jitter, lamps),
                      multisampled};
   frame.level = levelFor(request, resources, frame.camera);
-  if (frame.level > 0) ++statistics.coarseFrames;
   m_timer.beginFrame();
   m_noVertices.bind();
 
@@ -158,7 +157,12 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     const bool deferred = m_software && deferringPays(*scene) && m_targets.prepareSurfaces(request.moving).has_value();
     {
       const auto timed = m_timer.pass("vertices");
-      m_vertexLight.update(frame, block, m_shadows.revision(), deferred && request.moving);
+      m_lightIsPending = !m_vertexLight.update(frame, block, m_shadows.revision(), deferred && request.moving);
+    }
+    if (m_lightIsPending) {
+      m_surfaceKey.reset();
+      restoreDefaults(request.framebuffer);
+      return false;
     }
     std::optional<SurfaceKey> key = deferred && request.moving ? surfaceKey(frame) : std::nullopt;
     const bool surfacesAreKept = key.has_value() && key == m_surfaceKey;
@@ -217,6 +221,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
     m_lastCamera = frame.camera;
     m_lastMultisampled = multisampled;
     ++statistics.frames;
+    if (frame.level > 0) ++statistics.coarseFrames;
   }
 
   if (!request.moving && drawsSample) {

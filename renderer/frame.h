@@ -27,6 +27,7 @@ class Frame {
             RenderStatistics& statistics);
 
   void restart() { m_samples = 0; }
+  [[nodiscard]] bool lightIsPending() const { return m_lightIsPending; }
   [[nodiscard]] bool accumulating() const { return m_samples < m_targetSamples; }
   void keep(SceneImages images) { m_kept = images | kBeautyOnly; }
 
@@ -91,6 +92,7 @@ class Frame {
   SceneImages m_kept = kBeautyOnly;
   int m_samples = 0;  ///< in the sums
   int m_targetSamples = 1;
+  bool m_lightIsPending = false;
   CameraMatrices m_lastCamera;
   bool m_lastMultisampled = false;
   bool m_wasReduced = false;  ///< some frame before was drawn smaller than it was shown

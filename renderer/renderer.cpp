@@ -61,6 +61,8 @@ class GlRenderer final : public Renderer {
     return m_frame.draw(request, m_resources, revision, m_statistics);
   }
 
+  bool lightIsPending() const override { return m_frame.lightIsPending(); }
+
   bool accumulating() const override { return m_frame.accumulating(); }
   void restartAccumulation() override { m_frame.restart(); }
 
@@ -71,6 +73,7 @@ class GlRenderer final : public Renderer {
     if (m_failed.empty() && !messages.empty()) m_failed = messages.front();
     return left;
   }
+  bool jobsAreQueued() const override { return !m_jobs.idle(); }
   bool drawable() const override { return m_jobs.onlyLastLeft(); }
   std::pair<std::string, double> jobProgress() const override { return m_jobs.progress(); }
   void cancelJobs() override {

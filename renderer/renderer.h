@@ -76,6 +76,7 @@ struct FrameRequest {
   unsigned framebuffer = 0;        ///< GL framebuffer to put the displayed picture in; 0 without a window: none
   glm::ivec2 displaySize{0};       ///< of that framebuffer, where the picture is drawn smaller and enlarged; 0: size
   glm::ivec2 displayColumns{0};    ///< from, up to: the framebuffer's columns that are drawn; 0, 0: all of them
+  unsigned verticesAtOnce = 0;     ///< whose light is computed in one call at most (see lightIsPending); 0: all
   ReferenceObjects references;
 };
 
@@ -114,8 +115,13 @@ class Renderer {
   /// What to draw from now on. Cheap: compares with what is resident; uploads happen in the next frame or as jobs.
   virtual void setScene(std::shared_ptr<const ResolvedScene> scene) = 0;
 
-  /// Draws one frame (or adds one sample to it) into request.framebuffer. Returns false where the scene isn't drawable.
+  /// Draws one frame (or adds one sample to it) into request.framebuffer. Returns false where the scene isn't drawable,
+  /// and where light is pending.
   virtual bool renderFrame(const FrameRequest& request) = 0;
+  /// The last call has computed light for request.verticesAtOnce, more of them want it, and nothing was drawn: ask for
+  /// the same frame again. A light that changes before all have it is computed for all at once, so that a hand that
+  /// keeps turning it sees pictures.
+  [[nodiscard]] virtual bool lightIsPending() const = 0;
   /// True while renderFrame would add to the picture: fewer samples than asked for.
   [[nodiscard]] virtual bool accumulating() const = 0;
   /// Forgets accumulated samples.
@@ -124,6 +130,7 @@ class Renderer {
   /// Runs queued GPU jobs (environment bakes, program warm-up) for about `budgetMs`, at least one slice; true while
   /// some are left. The last complete environment stays in use until the next one is complete.
   virtual bool runJobs(double budgetMs) = 0;
+  [[nodiscard]] virtual bool jobsAreQueued() const = 0;
   /// Whether programs and environment are there: jobs that are left only make the picture better.
   [[nodiscard]] virtual bool drawable() const = 0;
   /// 0..1 of the job in progress and what it is; empty text when idle.

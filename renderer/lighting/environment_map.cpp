@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/base/background.h"
 #include "lighting/spherical_harmonics.h"
 
 namespace dermis {
@@ -97,6 +98,7 @@ class EnvironmentJob final : public gl::Job {
       : m_text("Preparing " + (images->name.empty() ? std::string("the environment") : images->name)),
         m_ready(std::move(ready)),
         m_baked(std::async(std::launch::async, [this, images = std::move(images), options = std::move(options)] {
+          giveWay();
           return bakeEnvironment(*images, options, m_stop.get_token(), &m_progress);
         })) {}
   ~EnvironmentJob() override {

@@ -1,8 +1,8 @@
 #include "passes/coarse_levels.h"
 
-#include <sys/resource.h>
-
 #include <chrono>
+
+#include "core/base/background.h"
 
 namespace dermis {
 namespace {
@@ -23,7 +23,7 @@ std::shared_ptr<const std::vector<CoarseMesh>> CoarseLevels::of(const std::share
     // Half a millimetre on a bust: what a picture of half the side can't show.
     constexpr float kShareOfRadius = 0.001F;
     m_coming = std::async(std::launch::async, [model]() -> Levels {
-      setpriority(PRIO_PROCESS, 0, 10);  // of this thread alone: frames come first
+      giveWay();
       return std::make_shared<const std::vector<CoarseMesh>>(
           coarseMeshes(*model, kShareOfRadius * model->bounds.radius()));
     });

@@ -6,6 +6,7 @@
 #include <future>
 #include <utility>
 
+#include "core/base/background.h"
 #include "passes/scene_resources.h"
 
 namespace dermis {
@@ -19,6 +20,7 @@ class MeshBakeJob final : public gl::Job {
     options.stop = m_stop.get_token();
     options.progress = &m_progress;
     m_baked = std::async(std::launch::async, [model = std::move(model), options = std::move(options)] {
+      giveWay();
       return bakeMesh(*model, options);
     });
   }

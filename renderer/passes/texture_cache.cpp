@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "colour/display_transform.h"
+#include "core/base/background.h"
 
 namespace dermis {
 
@@ -69,8 +70,10 @@ bool TextureCache::step(Warnings& messages) {
   for (std::size_t i = 0; i < std::min<std::size_t>(m_pending.size(), 2); ++i) {
     Pending& next = m_pending[i];
     if (next.prepared.valid() || next.upload) continue;
-    next.prepared = std::async(std::launch::async,
-                               [image = next.image, recipe = next.recipe] { return prepareTexture(*image, recipe); });
+    next.prepared = std::async(std::launch::async, [image = next.image, recipe = next.recipe] {
+      giveWay();
+      return prepareTexture(*image, recipe);
+    });
   }
   Pending& first = m_pending.front();
   if (!first.upload) {

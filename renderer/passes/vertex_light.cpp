@@ -1,5 +1,8 @@
 #include "passes/vertex_light.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "passes/surface_pass.h"
 
 namespace dermis {
@@ -51,38 +54,48 @@ gl::ProgramSources vertexLightProgram(const ResolvedScene& scene, std::size_t sl
   return withTiles(std::move(sources), readsTiles(scene, slot));
 }
 
-void VertexLight::update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision,
+bool VertexLight::update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision,
                          bool withLamps) {
   const auto& parts = frame.scene.model->parts;
   if (m_geometryRevision != frame.resources.geometryRevision()) m_known.clear();
   m_geometryRevision = frame.resources.geometryRevision();
   m_known.resize(parts.size());
   const bool lit = withLamps && block.lightCount.x > 0;
-  bool any = false;
+  std::uint32_t allowed = frame.request.verticesAtOnce > 0 ? frame.request.verticesAtOnce : ~0U;
+  bool any = false, complete = true;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::vector<std::byte> key = keyOf(frame, parts[i].slot, block, shadowRevision, lit);
     const int level = frame.levelOf(frame.resources.slots()[parts[i].slot]);
     const glm::uvec2 range = frame.resources.geometry().vertexRange(i, level);
     Known& known = m_known[i];
-    if ((key == known.key && known.level <= level) || range.y == 0) continue;
+    const bool isGoingOn = key == known.key && known.missing > 0 && level == known.level;
+    if (!isGoingOn && ((key == known.key && known.missing == 0 && known.level <= level) || range.y == 0)) continue;
     const gl::Program* program = frame.useProgram(vertexLightProgram(frame.scene, parts[i].slot, lit));
     if (program == nullptr) continue;
-    known = {std::move(key), level};
+    // Changed again before all had it: whoever turns a light would never see a picture.
+    if (!isGoingOn && known.missing > 0) allowed = ~0U;
+    const std::uint32_t wanted = isGoingOn ? known.missing : range.y;
+    const std::uint32_t count = std::min(wanted, allowed);
+    allowed -= count;
+    known = {std::move(key), level, wanted - count};
+    complete = complete && known.missing == 0;
+    if (count == 0) continue;
     if (!any) frame.resources.geometry().bindForLight();
     if (level > 0) frame.resources.geometry().bindCoarseVertices();
     any = true;
     frame.resources.bindSlot(frame.resources.slots()[parts[i].slot]);
-    glUniform1ui(program->uniform("u_first"), range.x);
-    glUniform1ui(program->uniform("u_count"), range.y);
+    glUniform1ui(program->uniform("u_first"), range.x + range.y - wanted);
+    glUniform1ui(program->uniform("u_count"), count);
     glUniform1i(program->uniform("u_listed"), level > 0 ? 1 : 0);
     glUniform1i(program->uniform("u_baked"), frame.resources.geometry().hasBake() ? 1 : 0);
     constexpr GLuint kGroup = 64;
-    glDispatchCompute((range.y + kGroup - 1) / kGroup, 1, 1);
+    glDispatchCompute((count + kGroup - 1) / kGroup, 1, 1);
   }
-  if (!any) return;
+  if (!any) return complete;
   ++m_revision;
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
   frame.resources.unbindSamplers();
+  return complete;
 }
 
 }  // namespace dermis

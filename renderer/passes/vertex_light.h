@@ -18,9 +18,10 @@ namespace dermis {
 
 class VertexLight {
  public:
-  /// Brings the light of the vertices of frame.level up to date. The frame's blocks, shadow maps and DFG tables are
-  /// bound; `shadowRevision` changes with what the maps hold. Leaves program and maps changed.
-  void update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision, bool withLamps);
+  /// Brings the light of the vertices of frame.level up to date, of request.verticesAtOnce in this call; false where
+  /// some are left. The frame's blocks, shadow maps and DFG tables are bound; `shadowRevision` changes with what the
+  /// maps hold. Leaves program and maps changed.
+  bool update(const FrameContext& frame, const FrameBlock& block, std::uint64_t shadowRevision, bool withLamps);
   /// Grows with every change of some vertex's light.
   [[nodiscard]] std::uint64_t revision() const { return m_revision; }
 
@@ -30,6 +31,7 @@ class VertexLight {
   struct Known {
     std::vector<std::byte> key;
     int level = 0;
+    std::uint32_t missing = 0;  ///< of the level's vertices, at the end of their range
   };
   std::vector<Known> m_known;  ///< by part
   std::uint64_t m_revision = 0;

@@ -316,5 +316,57 @@ TEST_F(MovingPicture, OfFewerTrianglesItIsTheSame) {
   EXPECT_EQ(afterwards, picture(fine));
 }
 
+// Light of many vertices is computed in several calls, so that a window answers between them. What is drawn in the end
+// must be what one call draws, and nothing before that; a light that keeps changing must not keep the picture away.
+TEST_F(MovingPicture, LightInSlicesIsTheSameLight) {
+  RendererOptions options;
+  options.software = true;
+  makeRenderer(options);
+  ResolvedScene scene = everything();
+  show(scene);
+  const Window window(m_size);
+  FrameRequest frame = request(scene);
+  frame.moving = true;
+  frame.framebuffer = window.framebuffer.id();
+  const auto frames = [&] { return m_renderer->statistics().frames; };
+  // How many calls until there is a picture.
+  const auto calls = [&](unsigned verticesAtOnce) {
+    m_renderer->setScene(std::make_shared<ResolvedScene>(scene));
+    frame.verticesAtOnce = verticesAtOnce;
+    const std::uint64_t before = frames();
+    for (int call = 1; call < 1000; ++call) {
+      const bool drawn = m_renderer->renderFrame(frame);
+      EXPECT_NE(drawn, m_renderer->lightIsPending());
+      EXPECT_EQ(frames() - before, drawn ? 1U : 0U);
+      if (drawn) return call;
+    }
+    return 1000;
+  };
+  const auto vertices = static_cast<int>(scene.model->positions.size());
+  constexpr int kSlice = 10000;
+  ASSERT_GT(vertices, 3 * kSlice);
+  EXPECT_EQ(calls(kSlice), (vertices + kSlice - 1) / kSlice);
+  const auto dim = window.read();
+  EXPECT_EQ(calls(kSlice), 1) << "nothing has changed";
+  scene.scene.environment.exposureStops = 1.0F;
+  scene.scene.lights.back().intensity *= 2.0F;
+  EXPECT_GT(calls(kSlice), 1);
+  const auto inSlices = window.read();
+  EXPECT_NE(inSlices, dim);
+
+  // Changed in between: all of it at once.
+  scene.scene.environment.exposureStops = 0.0F;
+  m_renderer->setScene(std::make_shared<ResolvedScene>(scene));
+  EXPECT_FALSE(m_renderer->renderFrame(frame));
+  scene.scene.environment.exposureStops = 1.0F;
+  EXPECT_EQ(calls(kSlice), 1);
+  EXPECT_EQ(window.read(), inSlices);
+
+  makeRenderer(options);
+  show(scene);
+  EXPECT_EQ(calls(0), 1);
+  EXPECT_EQ(window.read(), inSlices);
+}
+
 }  // namespace
 }  // namespace dermis::test

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/base/background.h"
 #include "ui/drag_source.h"
 #include "ui/edit_until_killed.h"
 #include "ui/editor_fixture.h"
@@ -25,10 +26,11 @@ int main(int argc, char** argv) {
   }
   const QTemporaryDir home;
   for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) qputenv(name, home.path().toUtf8());
+  dermis::putPicturesFirst();  // as the program does
   QSurfaceFormat format;
   format.setVersion(4, 5);
   format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setOption(QSurfaceFormat::ResetNotification);  // as the program does
+  format.setOption(QSurfaceFormat::ResetNotification);
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setOrganizationName(QStringLiteral("Dermis"));
   QApplication::setApplicationName(QStringLiteral("dermis-tests"));

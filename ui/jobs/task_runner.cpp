@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <new>
 
+#include "core/base/background.h"
+
 namespace dermis {
 
 std::string reasonOf(const std::exception& error) {
@@ -26,6 +28,7 @@ void TaskRunner::start(const QString& lane, const QString& title,
   const quint64 number = task->number;
   task->thread = std::jthread(
       [this, number, title, work = std::move(work), broken = std::move(broken)](std::stop_token stop) mutable {
+        giveWay();
         std::function<void()> done;
         try {
           done = work(stop);

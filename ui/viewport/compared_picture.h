@@ -18,6 +18,7 @@ class ComparedPicture {
   bool draw(FrameRequest request, int column);
   /// A slice of what is queued; true while something is left.
   bool runJobs(double budgetMs) { return m_renderer->runJobs(budgetMs); }
+  [[nodiscard]] bool jobsAreQueued() const { return m_renderer->jobsAreQueued(); }
   [[nodiscard]] bool accumulating() const { return m_renderer->accumulating(); }
   [[nodiscard]] const ResolvedScene* scene() const { return m_scene.get(); }
   [[nodiscard]] Renderer& renderer() { return *m_renderer; }

@@ -21,8 +21,9 @@ namespace dermis {
 namespace {
 
 constexpr double kJobSliceMs = 8.0;
-constexpr int kStillAfterMs = 120;       // full resolution within 150 ms of the last change
-constexpr int kRestBeforeStillMs = 500;  // with a button held: slow samples would be in the way of what comes next
+constexpr unsigned kVerticesAtOnce = 120000;  // a head's are lit in a call, a million triangles' in five
+constexpr int kStillAfterMs = 120;            // full resolution within 150 ms of the last change
+constexpr int kRestBeforeStillMs = 500;       // with a button held: slow samples would be in the way of what comes next
 /// What the renderer, which knows no Qt, says that it is doing.
 [[maybe_unused]] constexpr const char* kJobWords[] = {
     QT_TRANSLATE_NOOP("tables", "Preparing shaders"),
@@ -63,7 +64,8 @@ Viewport::Viewport(Document& document, QWidget* parent) : GlWidget(hostingHere()
 
   m_next.setSingleShot(true);
   connect(&m_next, &QTimer::timeout, this, [this] {
-    if (m_jobsLeft)
+    // From a timer: events that post the next one would leave no room for those of the window.
+    if (m_jobsLeft && !m_lightIsPending)
       continueJobs();
     else
       requestFrame();
@@ -117,13 +119,11 @@ void Viewport::paintGL() {
   // The first picture is a quick one of few pixels: something to see before the slow samples.
   if (m_firstFrame) moving();
   refreshCompared();
-  drawFrame();
+  if (!drawFrame()) return;
   const bool settled = std::exchange(m_settling, false);
-  // A slice of what is queued; when it was the last one, the picture is drawn again with what it made.
-  const bool queued = !m_renderer->jobProgress().first.empty();
-  m_jobsLeft = m_renderer->runJobs(kJobSliceMs);
-  if (m_compared && m_compared->runJobs(kJobSliceMs)) m_jobsLeft = true;
-  if (settled || (queued && !m_jobsLeft))
+  // What is queued goes on in an event of its own: nobody is answered while a picture is drawn already.
+  m_jobsLeft = m_renderer->jobsAreQueued() || (m_compared && m_compared->jobsAreQueued());
+  if (settled && !m_jobsLeft)
     m_next.start(0);
   else
     scheduleNext();
@@ -144,6 +144,7 @@ FrameRequest Viewport::frameRequest() const {
   request.seconds = static_cast<double>(m_clock.elapsed()) * 1e-3;
   request.framebuffer = framebuffer();
   request.references = m_references;
+  request.verticesAtOnce = kVerticesAtOnce;
   // A fast machine draws all pixels anyway: its pace stays at 1.
   if (m_moving && !m_resting) {
     const double scale = m_pace.scale();
@@ -153,7 +154,7 @@ FrameRequest Viewport::frameRequest() const {
   return request;
 }
 
-void Viewport::drawFrame() {
+bool Viewport::drawFrame() {
   FrameRequest request = frameRequest();
   m_frameClock.start();
   m_wasMoving = m_moving && !m_firstFrame;  // whose time is that of its uploads
@@ -162,7 +163,14 @@ void Viewport::drawFrame() {
   const int column = splitColumn(request.displaySize.x);
   if (column < request.displaySize.x) request.displayColumns = {0, std::max(column, 1)};
   const bool drawn = m_renderer->renderFrame(request);
-  if (m_compared) m_compared->draw(request, column);
+  const bool comparedDrawn = !m_compared || m_compared->draw(request, column);
+  m_lightIsPending = (!drawn && m_renderer->lightIsPending()) ||
+                     (m_compared && !comparedDrawn && m_compared->renderer().lightIsPending());
+  if (m_lightIsPending) {
+    m_frameClock.invalidate();
+    m_next.start(0);
+    return false;
+  }
   if (drawn && m_firstFrame) {
     m_firstFrame = false;
     QMetaObject::invokeMethod(m_picker, &ModelPicker::begin, Qt::QueuedConnection);
@@ -181,6 +189,7 @@ void Viewport::drawFrame() {
     QMetaObject::invokeMethod(
         this, [this, sentence] { Q_EMIT message(MessageKind::Warning, sentence); }, Qt::QueuedConnection);
   }
+  return true;
 }
 
 bool Viewport::animated() const {

@@ -130,7 +130,8 @@ class Viewport : public GlWidget {
   void loseRenderer();
   /// That there is a picture again.
   void tellReset();
-  void drawFrame();
+  /// False where nothing was drawn yet, because light is still being computed.
+  bool drawFrame();
   [[nodiscard]] FrameRequest frameRequest() const;
   /// What stands left of the split, or everywhere.
   [[nodiscard]] std::shared_ptr<const ResolvedScene> leftScene() const;
@@ -162,6 +163,7 @@ class Viewport : public GlWidget {
   bool m_withoutSubsurface = false;
   int m_targetSamples = 64;
   bool m_jobsLeft = false;
+  bool m_lightIsPending = false;
   bool m_contextWasLost = false;  ///< and there has been no picture since
   using AskReset = unsigned (*)();
   AskReset m_askReset = nullptr;  ///< glGetGraphicsResetStatus
