@@ -36,7 +36,7 @@ SLIDERS = [
 ]
 MAPS = ("albedo", "normal", "roughness")
 ENVIRONMENT = "Window daylight"
-SAMPLES = 6
+SAMPLES = 24
 
 
 def run(*words):

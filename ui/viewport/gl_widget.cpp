@@ -8,6 +8,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <cmath>
 
 namespace dermis {
@@ -117,7 +118,7 @@ class GlWidget::CopiedSurface final : public Surface {
     if (m_wanted || m_picture.size() != pixels()) {
       draw();
       // What is painted now is in the window when the event loop goes on.
-      QMetaObject::invokeMethod(&m_host, &GlWidget::frameShown, Qt::QueuedConnection);
+      QTimer::singleShot(0, &m_host, &GlWidget::frameShown);
     }
     QPainter painter(&m_host);
     if (m_picture.isNull())
