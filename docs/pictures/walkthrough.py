@@ -70,11 +70,12 @@ def type_text(words):
     time.sleep(0.3)
 
 
-def drag(x, y, to_x, to_y, steps=10):
+def drag(x, y, to_x, to_y, steps=10, pause=0.0):
     move(x, y)
     run("xdotool", "mousedown", "1")
     for i in range(1, steps + 1):
         move(x + (to_x - x) * i / steps, y + (to_y - y) * i / steps)
+    time.sleep(pause)
     run("xdotool", "mouseup", "1")
     time.sleep(0.4)
 
@@ -146,7 +147,8 @@ def drop(source, path, onto):
                                                 check=False, capture_output=True, text=True).stdout.split())
         time.sleep(1)
         where = dict(line.split("=") for line in run("xdotool", "getwindowgeometry", "--shell", found[-1]).split())
-        drag(int(where["X"]) + 80, int(where["Y"]) + 16, box.x + box.width / 2, box.y + box.height / 2)
+        drag(int(where["X"]) + 80, int(where["Y"]) + 16, box.x + box.width / 2, box.y + box.height / 2,
+             pause=2.0)  # until the editor, which is drawing, has said that it takes them
         time.sleep(1)
         manager.kill()
 

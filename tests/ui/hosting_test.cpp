@@ -77,5 +77,10 @@ TEST(Hosting, ComposedByOpenGlAllIsTheSame) {
   EXPECT_TRUE(test::passesWith({{"DERMIS_HOSTING", QStringLiteral("composed")}}, filter, 20, 4 * kPatienceMs));
 }
 
+TEST(Hosting, TheWindowShowsThePictureAtAScaleThatIsNoWholeNumber) {
+  EXPECT_TRUE(
+      test::passesAtScale("1.25", QStringLiteral("HostedPicture.TheWindowShowsThePicture"), 1, 2 * kPatienceMs));
+}
+
 }  // namespace
 }  // namespace dermis
