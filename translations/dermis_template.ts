@@ -4025,10 +4025,6 @@ sRGB %4</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A large warm key from the left, a slightly cooler fill, a reflector below, rims from behind, a bank overhead; dark walls.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Clamshell beauty</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4210,6 +4206,10 @@ sRGB %4</source>
     </message>
     <message>
         <source>Thesis: lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A large warm key from high on the left, a soft cooler fill, a reflector below, rims from behind, a bank overhead; dark walls.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

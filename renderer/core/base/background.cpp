@@ -14,9 +14,11 @@ std::atomic<bool> picturesComeFirst{false};
 void putPicturesFirst() { picturesComeFirst = true; }
 
 void giveWay() {
+#ifdef __linux__
+  // Counted by thread there, and threads have that of the one that starts them; elsewhere it is the whole process's.
   constexpr int kNice = 10;
-  // Linux counts it by thread, and threads have that of the one that starts them.
   if (picturesComeFirst) setpriority(PRIO_PROCESS, 0, kNice);
+#endif
 }
 
 }  // namespace dermis
