@@ -16,6 +16,14 @@ constexpr std::size_t kSliceBytes = 2U << 20;
 
 bool isNormal(TextureSlot slot) { return slot == TextureSlot::Normal || slot == TextureSlot::DetailNormal; }
 
+/// The channel that is read of an image with colours, where it is one alone.
+std::optional<int> onlyChannelOf(const Image& image, const TextureBinding& binding, TextureSlot slot) {
+  if (!textureSlotRow(slot).isScalar || image.channels < 3 || binding.channel == TextureChannel::Luminance)
+    return std::nullopt;
+  const int channel = static_cast<int>(binding.channel);
+  return channel < image.channels ? std::optional(channel) : std::nullopt;
+}
+
 }  // namespace
 
 TextureCache::TextureCache(int maximumSize, float anisotropy) : m_maximumSize(maximumSize), m_anisotropy(anisotropy) {
@@ -25,7 +33,7 @@ TextureCache::TextureCache(int maximumSize, float anisotropy) : m_maximumSize(ma
 }
 
 TextureCache::Key TextureCache::keyOf(const Image& image, const TextureBinding& binding, TextureSlot slot) {
-  return {&image, binding.colorSpace.value_or(""), textureSlotRow(slot).isColour, isNormal(slot)};
+  return {&image, binding.colorSpace.value_or(""), textureSlotRow(slot).isColour, isNormal(slot), onlyChannelOf(image, binding, slot)};
 }
 
 bool TextureCache::has(const std::shared_ptr<const Image>& image, const TextureBinding& binding,
@@ -44,6 +52,7 @@ TextureRecipe TextureCache::recipeFor(const Image& image, const TextureBinding& 
     messages.push_back(found.error().message);
   for (const std::string& warning : warnings) messages.push_back(image.name + ": " + warning);
   recipe.isNormal = isNormal(slot);
+  recipe.channel = onlyChannelOf(image, binding, slot);
   recipe.maximumSize = m_maximumSize;
   return recipe;
 }

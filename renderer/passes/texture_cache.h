@@ -36,7 +36,8 @@ class TextureCache {
 
   /// The image as a texture with mips, uploaded at the first call; null while it is pending. sRGB colour is decoded by
   /// the texture's format; 16-bit and float images in sRGB or another colour space are converted to linear Rec.709
-  /// here. Images larger than the limit are averaged down, with a message.
+  /// here. Of an image with colours a slot that reads a single channel gets that alone, a quarter of the bytes. Images
+  /// larger than the limit are averaged down, with a message.
   /// `asArray`: sets of UDIM tiles are array textures, a layer a tile; others are seen as one of a single layer.
   [[nodiscard]] std::shared_ptr<const gl::Texture> get(const std::shared_ptr<const Image>& image,
                                                        const TextureBinding& binding, TextureSlot slot,
@@ -53,8 +54,9 @@ class TextureCache {
   [[nodiscard]] std::uint64_t released() const { return m_released; }
 
  private:
-  /// The image's address, the colour space asked for, and whether the slot is a colour's or a normal's.
-  using Key = std::tuple<const Image*, std::string, bool, bool>;
+  /// The image's address, the colour space asked for, whether the slot is a colour's or a normal's, and the channel
+  /// that is kept alone.
+  using Key = std::tuple<const Image*, std::string, bool, bool, std::optional<int>>;
   struct Entry {
     std::shared_ptr<const Image> image;  ///< held, so that its address stays its name
     std::shared_ptr<const gl::Texture> texture;

@@ -104,6 +104,16 @@ Image greyToColour(const Image& image) {
   return out;
 }
 
+Image onlyChannel(const Image& image, int channel) {
+  Image out = emptyLike(image, image.width, image.height, 1, image.type);
+  const std::size_t size = bytesPerChannel(image.type);
+  const std::size_t pixel = static_cast<std::size_t>(image.channels) * size;
+  const std::byte* from = image.pixels.data() + static_cast<std::size_t>(channel) * size;
+  for (std::size_t i = 0; i < pixelCount(image); ++i)
+    std::memcpy(out.pixels.data() + i * size, from + i * pixel, size);
+  return out;
+}
+
 Image toFloatRgba(const Image& image) {
   Image out = emptyLike(image, image.width, image.height, 4, PixelType::Float);
   const auto channels = static_cast<std::size_t>(image.channels);

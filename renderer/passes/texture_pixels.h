@@ -9,6 +9,8 @@ namespace dermis {
 [[nodiscard]] Image flippedRows(const Image& image);
 /// Grey to RGB, grey and alpha to RGBA, same pixel type: GL has no sRGB format of one or two channels.
 [[nodiscard]] Image greyToColour(const Image& image);
+/// One channel of several, counted from 0, same pixel type.
+[[nodiscard]] Image onlyChannel(const Image& image, int channel);
 /// RGBA, 32-bit float; integers become 0..1, missing alpha is 1.
 [[nodiscard]] Image toFloatRgba(const Image& image);
 /// Float to half, values past 65504 clamped.

@@ -40,10 +40,10 @@ std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe
   const Image* source = &image;
   Image changed;
   srgb = recipe.colour.decode == TextureColour::Decode::Srgb;
-  if (srgb && source->type == PixelType::U8 && source->channels <= 2) {
+  if (srgb && !recipe.channel && source->type == PixelType::U8 && source->channels <= 2) {
     changed = greyToColour(*source);
     source = &changed;
-  } else if (srgb && source->type != PixelType::U8) {
+  } else if (srgb && (recipe.channel || source->type != PixelType::U8)) {
     changed = srgbToLinear(*source);
     source = &changed;
     srgb = false;
@@ -52,6 +52,10 @@ std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe
     recipe.colour.convert(reinterpret_cast<float*>(changed.pixels.data()),
                           static_cast<std::size_t>(changed.width) * static_cast<std::size_t>(changed.height));
     changed = toHalf(changed);
+    source = &changed;
+  }
+  if (recipe.channel) {
+    changed = onlyChannel(*source, *recipe.channel);
     source = &changed;
   }
   // Some detail maps keep a height in the blue of a normal.
@@ -80,6 +84,7 @@ std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe
 
 PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) {
   PreparedTexture prepared;
+  prepared.isOneChannel = recipe.channel.has_value();
   if (image.tiles.empty()) {
     prepared.layers.push_back(prepareLevels(image, recipe, prepared.srgb, prepared.messages));
     return prepared;
@@ -106,7 +111,8 @@ TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const s
                                    .label = label});
   if (first.channels <= 2) {
     // Grey is grey in every channel; the second channel of a grey image is its alpha.
-    const GLint swizzle[4] = {GL_RED, GL_RED, GL_RED, first.channels == 2 ? GL_GREEN : GL_ONE};
+    const GLint alpha = m_prepared.isOneChannel ? GL_RED : first.channels == 2 ? GL_GREEN : GL_ONE;
+    const GLint swizzle[4] = {GL_RED, GL_RED, GL_RED, alpha};
     glTextureParameteriv(m_texture.id(), GL_TEXTURE_SWIZZLE_RGBA, swizzle);
   }
   m_texture.setWrap(isSet ? GL_CLAMP_TO_EDGE : GL_REPEAT);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace dermis {
 struct TextureRecipe {
   TextureColour colour;
   bool isNormal = false;
+  std::optional<int> channel;  ///< the only one that is read and kept, of the three or four that the image has
   int maximumSize = 0;
 };
 
@@ -24,6 +26,7 @@ struct PreparedTexture {
   std::vector<std::vector<Image>> layers;  ///< each with its levels: one, or one a UDIM tile
   bool isSet = false;                      ///< an array texture, else a plain one
   bool srgb = false;                       ///< the GPU decodes
+  bool isOneChannel = false;               ///< whichever is asked for
   Warnings messages;
 };
 /// Slow for a large image; touches no OpenGL.

@@ -4,6 +4,7 @@
 #include "core/scene/primitives.h"
 #include "gpu/frame_support.h"
 #include "passes/texture_pixels.h"
+#include "passes/texture_upload.h"
 
 namespace dermis::test {
 namespace {
@@ -77,7 +78,39 @@ TEST_F(FrameTextures, ScalarsChooseChannelScaleAndInvert) {
   EXPECT_NEAR(occlusion(TextureChannel::B, true, 0.5F), 0.2F, 2e-3F);
   EXPECT_NEAR(occlusion(TextureChannel::Luminance, false, 1.0F), 0.2126F * 0.2F + 0.7152F * 0.4F + 0.0722F * 0.6F,
               2e-3F);
-  EXPECT_EQ(m_renderer->statistics().texturesUploaded, 1U) << "one image, read in seven ways";
+  EXPECT_EQ(m_renderer->statistics().texturesUploaded, 6U) << "each channel in turn; inverting sends nothing";
+}
+
+TEST_F(FrameTextures, ScalarsOfEveryPixelTypeInEveryHandling) {
+  m_renderer->keepAovs({Aov::Occlusion});
+  const std::vector<float> values = {0.2F, 0.4F, 0.6F, 0.8F};
+  for (const PixelType type : {PixelType::U8, PixelType::U16, PixelType::Half, PixelType::Float})
+    for (const char* space : {"", "srgb"})
+      for (const TextureChannel channel : {TextureChannel::R, TextureChannel::G, TextureChannel::B, TextureChannel::A}) {
+        ResolvedScene scene = sceneOf(makePlane(), materialOf(ShadingModel::Skin));
+        TextureBinding binding;
+        if (*space != '\0') binding.colorSpace = space;
+        binding.channel = channel;
+        setMap(scene, TextureSlot::Occlusion, imageOf(1, 1, 4, type, values), binding);
+        still(scene);
+        const float value = values[static_cast<std::size_t>(channel)];
+        const bool decoded = *space != '\0' && channel != TextureChannel::A;
+        EXPECT_NEAR(pixel(m_renderer->readAov(Aov::Occlusion), 24, 24).r, decoded ? linearFromSrgb(value) : value, 3e-3F)
+            << "type " << static_cast<int>(type) << ", \"" << space << "\", channel " << toString(channel);
+      }
+}
+
+TEST(FrameTextureLevels, OneChannelAloneIsKeptOfAPackedMap) {
+  const auto image = imageOf(2, 1, 4, PixelType::U8, {0.2F, 0.4F, 0.6F, 0.8F, 0.4F, 0.6F, 0.8F, 1.0F});
+  TextureRecipe recipe;
+  recipe.maximumSize = 16;
+  recipe.channel = 2;
+  const PreparedTexture prepared = prepareTexture(*image, recipe);
+  ASSERT_EQ(prepared.layers.size(), 1U);
+  ASSERT_EQ(prepared.layers[0].size(), 2U) << "two mips";
+  EXPECT_EQ(prepared.layers[0][0].pixels, (std::vector<std::byte>{std::byte{153}, std::byte{204}}));
+  ASSERT_EQ(prepared.layers[0][1].pixels.size(), 1U);
+  EXPECT_NEAR(std::to_integer<int>(prepared.layers[0][1].pixels[0]), 178, 1);
 }
 
 TEST_F(FrameTextures, ThesisDecodesItsAlbedoItself) {
