@@ -96,8 +96,63 @@ Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software)
 
 bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
                  RenderStatistics& statistics) {
+  const std::optional<FrameContext> frame = prepare(request, resources, revision);
+  if (!frame) return false;
+  const bool drawsOne = drawsSample(request);
+  if (drawsOne) {
+    if (!m_isBegun) m_timer.beginFrame();
+    if (!std::exchange(m_isBegun, false) && !drawSurface(*frame, statistics)) {
+      restoreDefaults(request.framebuffer);
+      return false;
+    }
+    drawAround(*frame);
+    m_lastCamera = frame->camera;
+    m_lastMultisampled = frame->multisampled;
+    ++statistics.frames;
+    if (frame->level > 0) ++statistics.coarseFrames;
+  } else {
+    m_timer.beginFrame();
+  }
+
+  if (!request.moving && drawsOne) {
+    const auto timed = m_timer.pass("accumulate");
+    if (auto sums = m_targets.prepareSums(m_stillKey.images); !sums) {
+      m_messages.say(sums.error().message);
+      return false;
+    }
+    accumulatePass(*frame, m_samples == 0);
+    ++m_samples;
+  }
+
+  if (canShow(request.framebuffer)) {
+    const auto timed = m_timer.pass("display");
+    show(*frame, !request.moving);
+  }
+  statistics.samples = request.moving ? 1 : m_samples;
+  statistics.targetSamples = m_targetSamples;
+  statistics.pictureSize = request.size;
+  m_showsSums = !request.moving;
+  restoreDefaults(request.framebuffer);
+  return true;
+}
+
+bool Frame::begin(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
+                  RenderStatistics& statistics) {
+  const std::optional<FrameContext> frame = prepare(request, resources, revision);
+  if (!frame || !drawsSample(request)) return false;
+  if (!m_isBegun) {
+    m_timer.beginFrame();
+    m_isBegun = drawSurface(*frame, statistics);
+    m_begunFence = gl::Fence::here();
+  }
+  restoreDefaults(request.framebuffer);
+  return m_isBegun;
+}
+
+std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneResources& resources,
+                                           std::uint64_t revision) {
   const ResolvedScene* scene = resources.scene();
-  if (scene == nullptr || !scene->model || request.size.x < 1 || request.size.y < 1) return false;
+  if (scene == nullptr || !scene->model || request.size.x < 1 || request.size.y < 1) return std::nullopt;
 
   // Which images: the picture, what is kept of it, what is looked at. A moving picture on a GPU has four samples a
   // pixel.
@@ -108,9 +163,9 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   auto prepared = m_targets.prepare(request.size, images, request.exactDisplay, multisampled);
   if (!prepared) {
     m_messages.say(prepared.error().message);
-    return false;
+    return std::nullopt;
   }
-  if (*prepared) m_samples = 0;
+  if (*prepared) restart();
   if (*prepared || !request.moving) m_surfaceKey.reset();
 
   // A still picture converges as long as nothing that it shows changes.
@@ -123,10 +178,12 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      request.withoutSubsurface,
                      request.references,
                      revision};
-  if (request.moving || !(key == m_stillKey)) m_samples = 0;
+  const bool isAnother = !(key == m_stillKey);
+  if (isAnother || request.moving != m_begunMoving) m_isBegun = false;
+  if (isAnother || request.moving) m_samples = 0;
   m_stillKey = key;
+  m_begunMoving = request.moving;
   m_targetSamples = std::max(request.targetSamples, 1);
-  const bool drawsSample = request.moving || accumulating();
 
   const glm::vec2 jitter = request.moving ? glm::vec2(0.0F) : pixelJitter(m_samples);
   const std::vector<glm::vec3> lamps = visibleLampPositions(*scene, request.seconds);
@@ -139,111 +196,98 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
                      cameraMatrices(request.camera, resources.bounds(), request.size, jitter, lamps),
                      multisampled};
   frame.level = levelFor(request, resources, frame.camera);
-  m_timer.beginFrame();
+  return frame;
+}
+
+bool Frame::drawSurface(const FrameContext& frame, RenderStatistics& statistics) {
+  const FrameRequest& request = frame.request;
   m_noVertices.bind();
-
-  if (drawsSample) {
-    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // the environment's faces meet without a seam
-    // Reversed depth in 0..1: see cameraMatrices.
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    {
-      const auto timed = m_timer.pass("shadow");
-      m_shadows.draw(frame, {request.moving ? 0 : m_samples, m_targetSamples, request.moving, request.exactDisplay},
-                     statistics);
-      m_shadows.bind();
-    }
-    const FrameBlock block = uploadFrameBlock(frame, statistics);
-    resources.bindLight();
-    const bool deferred = m_software && deferringPays(*scene) && m_targets.prepareSurfaces(request.moving).has_value();
-    {
-      const auto timed = m_timer.pass("vertices");
-      m_lightIsPending = !m_vertexLight.update(frame, block, m_shadows.revision(), deferred && request.moving);
-    }
-    if (m_lightIsPending) {
-      m_surfaceKey.reset();
-      restoreDefaults(request.framebuffer);
-      return false;
-    }
-    std::optional<SurfaceKey> key = deferred && request.moving ? surfaceKey(frame) : std::nullopt;
-    const bool surfacesAreKept = key.has_value() && key == m_surfaceKey;
-    m_surfaceKey = std::move(key);
-    const std::vector<PixelArea> drawnOver = surfacesAreKept ? transparentAreas(frame) : std::vector<PixelArea>{};
-    if (surfacesAreKept) {
-      ++statistics.surfacesKept;
-      clearBeauty(frame, drawnOver);
-    } else {
-      clear(frame);
-    }
-    if (deferred && !surfacesAreKept) {
-      const auto timed = m_timer.pass("geometry");
-      geometryPass(frame);
-    }
-    {
-      const auto timed = m_timer.pass("surface");
-      (deferred ? shadingPass : surfacePass)(frame);
-    }
-    m_noVertices.bind();
-    if (m_targets.split()) {
-      const auto timed = m_timer.pass("subsurface");
-      // Two passes are enough while something moves; what is looked at or exported gathers from the whole disc.
-      const bool spreads = request.moving && m_targets.prepareSpread().has_value();
-      subsurfacePass(frame, spreads ? DiffusionQuality::Separable : DiffusionQuality::Disc);
-    }
-    m_targets.scene().bind();
-    {
-      const auto timed = m_timer.pass("sky");
-      m_targets.drawToBeauty();
-      if (surfacesAreKept)
-        inAreas(drawnOver, [&] { skyPass(frame); });
-      else
-        skyPass(frame);
-      if (hasVisibleLamps(*scene)) lampPass(frame);
-    }
-    if (hasTransparentParts(resources)) {
-      const auto timed = m_timer.pass("transparent");
-      (multisampled ? m_targets.multisampled() : m_targets.radiances()).bind();
-      transparentPass(frame);
-      m_noVertices.bind();
-    }
-    if (multisampled) {
-      const auto timed = m_timer.pass("resolve");
-      const glm::ivec2 size = request.size;
-      glBlitNamedFramebuffer(m_targets.multisampled().id(), m_targets.scene().id(), 0, 0, size.x, size.y, 0, 0, size.x,
-                             size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
-    if (request.references.balls || request.references.chart) {
-      const auto timed = m_timer.pass("references");
-      m_targets.scene().bind();
-      m_targets.drawToBeauty();
-      referencePass(frame, jitter);
-    }
-    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    m_lastCamera = frame.camera;
-    m_lastMultisampled = multisampled;
-    ++statistics.frames;
-    if (frame.level > 0) ++statistics.coarseFrames;
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // the environment's faces meet without a seam
+  // Reversed depth in 0..1: see cameraMatrices.
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  {
+    const auto timed = m_timer.pass("shadow");
+    m_shadows.draw(frame, {request.moving ? 0 : m_samples, m_targetSamples, request.moving, request.exactDisplay},
+                   statistics);
+    m_shadows.bind();
   }
-
-  if (!request.moving && drawsSample) {
-    const auto timed = m_timer.pass("accumulate");
-    if (auto sums = m_targets.prepareSums(wanted); !sums) {
-      m_messages.say(sums.error().message);
-      return false;
-    }
-    accumulatePass(frame, m_samples == 0);
-    ++m_samples;
+  const FrameBlock block = uploadFrameBlock(frame, statistics);
+  frame.resources.bindLight();
+  const bool deferred =
+      m_software && deferringPays(frame.scene) && m_targets.prepareSurfaces(request.moving).has_value();
+  {
+    const auto timed = m_timer.pass("vertices");
+    m_lightIsPending = !m_vertexLight.update(frame, block, m_shadows.revision(), deferred && request.moving);
   }
-
-  if (canShow(request.framebuffer)) {
-    const auto timed = m_timer.pass("display");
-    show(frame, !request.moving);
+  if (m_lightIsPending) {
+    m_surfaceKey.reset();
+    return false;
   }
-  statistics.samples = request.moving ? 1 : m_samples;
-  statistics.targetSamples = m_targetSamples;
-  statistics.pictureSize = request.size;
-  m_showsSums = !request.moving;
-  restoreDefaults(request.framebuffer);
+  std::optional<SurfaceKey> key = deferred && request.moving ? surfaceKey(frame) : std::nullopt;
+  m_surfacesAreKept = key.has_value() && key == m_surfaceKey;
+  m_surfaceKey = std::move(key);
+  m_drawnOver = m_surfacesAreKept ? transparentAreas(frame) : std::vector<PixelArea>{};
+  if (m_surfacesAreKept) {
+    ++statistics.surfacesKept;
+    clearBeauty(frame, m_drawnOver);
+  } else {
+    clear(frame);
+  }
+  if (deferred && !m_surfacesAreKept) {
+    const auto timed = m_timer.pass("geometry");
+    geometryPass(frame);
+  }
+  const auto timed = m_timer.pass("surface");
+  (deferred ? shadingPass : surfacePass)(frame);
   return true;
+}
+
+void Frame::drawAround(const FrameContext& frame) {
+  const FrameRequest& request = frame.request;
+  // Bound again: something else may have been drawn since the first half.
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  m_shadows.bind();
+  m_frameBlockBuffer.bindUniform(kFrameBinding);
+  m_sampleBlockBuffer.bindUniform(kSampleBinding);
+  frame.resources.bindLight();
+  m_noVertices.bind();
+  glViewport(0, 0, request.size.x, request.size.y);
+  if (m_targets.split()) {
+    const auto timed = m_timer.pass("subsurface");
+    // Two passes are enough while something moves; what is looked at or exported gathers from the whole disc.
+    const bool spreads = request.moving && m_targets.prepareSpread().has_value();
+    subsurfacePass(frame, spreads ? DiffusionQuality::Separable : DiffusionQuality::Disc);
+  }
+  m_targets.scene().bind();
+  {
+    const auto timed = m_timer.pass("sky");
+    m_targets.drawToBeauty();
+    if (m_surfacesAreKept)
+      inAreas(m_drawnOver, [&] { skyPass(frame); });
+    else
+      skyPass(frame);
+    if (hasVisibleLamps(frame.scene)) lampPass(frame);
+  }
+  if (hasTransparentParts(frame.resources)) {
+    const auto timed = m_timer.pass("transparent");
+    (frame.multisampled ? m_targets.multisampled() : m_targets.radiances()).bind();
+    transparentPass(frame);
+    m_noVertices.bind();
+  }
+  if (frame.multisampled) {
+    const auto timed = m_timer.pass("resolve");
+    const glm::ivec2 size = request.size;
+    glBlitNamedFramebuffer(m_targets.multisampled().id(), m_targets.scene().id(), 0, 0, size.x, size.y, 0, 0, size.x,
+                           size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  if (request.references.balls || request.references.chart) {
+    const auto timed = m_timer.pass("references");
+    m_targets.scene().bind();
+    m_targets.drawToBeauty();
+    referencePass(frame, request.moving ? glm::vec2(0.0F) : pixelJitter(m_samples));
+  }
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 }
 
 int Frame::levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "gl/fence.h"
 #include "gl/gl_objects.h"
 #include "gl/gpu_timer.h"
 #include "gl/shader_library.h"
@@ -26,7 +27,18 @@ class Frame {
   bool draw(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
             RenderStatistics& statistics);
 
-  void restart() { m_samples = 0; }
+  /// The first half of what draw() would do: everything up to the shaded surface. draw() then does the rest, or all of
+  /// it where it is asked for something else in between. False where there is nothing to draw, or where light is
+  /// pending.
+  bool begin(const FrameRequest& request, SceneResources& resources, std::uint64_t revision,
+             RenderStatistics& statistics);
+  /// Whether the driver has drawn what begin() asked for.
+  [[nodiscard]] bool beginningIsDrawn() const { return m_begunFence.isPassed(); }
+
+  void restart() {
+    m_samples = 0;
+    m_isBegun = false;
+  }
   [[nodiscard]] bool lightIsPending() const { return m_lightIsPending; }
   [[nodiscard]] bool accumulating() const { return m_samples < m_targetSamples; }
   void keep(SceneImages images) { m_kept = images | kBeautyOnly; }
@@ -68,6 +80,14 @@ class Frame {
     bool operator==(const SurfaceKey&) const = default;
   };
 
+  /// Targets, samples and camera of a frame; nothing where nothing can be drawn.
+  [[nodiscard]] std::optional<FrameContext> prepare(const FrameRequest& request, SceneResources& resources,
+                                                    std::uint64_t revision);
+  [[nodiscard]] bool drawsSample(const FrameRequest& request) const { return request.moving || accumulating(); }
+  /// The first half of a frame: what doesn't move with the camera, then the surface. False while light is pending.
+  bool drawSurface(const FrameContext& frame, RenderStatistics& statistics);
+  /// The second half: diffusion, and what stands behind and before the surface.
+  void drawAround(const FrameContext& frame);
   /// The level of the model's triangles that a frame is drawn with.
   [[nodiscard]] int levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera);
   FrameBlock uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
@@ -88,10 +108,15 @@ class Frame {
   gl::Buffer m_frameBlockBuffer, m_sampleBlockBuffer;
   std::vector<std::byte> m_frameBlockBytes;
   StillKey m_stillKey;
+  bool m_isBegun = false;  ///< the surface of what m_stillKey asks for is drawn
+  bool m_begunMoving = false;
+  gl::Fence m_begunFence;
   std::optional<SurfaceKey> m_surfaceKey;  ///< of what the images of a moving surface hold
   SceneImages m_kept = kBeautyOnly;
   int m_samples = 0;  ///< in the sums
   int m_targetSamples = 1;
+  std::vector<PixelArea> m_drawnOver;  ///< of a surface that is kept: where transparent parts stood over it
+  bool m_surfacesAreKept = false;      ///< in the frame being drawn
   bool m_lightIsPending = false;
   CameraMatrices m_lastCamera;
   bool m_lastMultisampled = false;

@@ -53,13 +53,14 @@ class GlRenderer final : public Renderer {
   }
 
   bool renderFrame(const FrameRequest& request) override {
-    Warnings messages;
-    m_resources.upload(m_statistics, messages);
-    for (const std::string& message : messages) m_messages.say(message);
-    const std::uint64_t revision = m_sceneRevision + m_resources.environmentRevision() +
-                                   m_resources.meshBakeRevision() + m_resources.textureRevision() + m_shaderRevision;
+    const std::uint64_t revision = uploadScene();
     return m_frame.draw(request, m_resources, revision, m_statistics);
   }
+  bool beginFrame(const FrameRequest& request) override {
+    const std::uint64_t revision = uploadScene();
+    return m_frame.begin(request, m_resources, revision, m_statistics);
+  }
+  bool beginningIsDrawn() const override { return m_frame.beginningIsDrawn(); }
 
   bool lightIsPending() const override { return m_frame.lightIsPending(); }
 
@@ -129,6 +130,15 @@ class GlRenderer final : public Renderer {
   }
 
  private:
+  /// Sends what the scene has got since the last frame; a number that changes with whatever changes the picture.
+  std::uint64_t uploadScene() {
+    Warnings messages;
+    m_resources.upload(m_statistics, messages);
+    for (const std::string& message : messages) m_messages.say(message);
+    return m_sceneRevision + m_resources.environmentRevision() + m_resources.meshBakeRevision() +
+           m_resources.textureRevision() + m_shaderRevision;
+  }
+
   /// Compiles what the scene's materials need, one program a slice, before the first frame asks for it: in a window
   /// that is a moving one on software GL, so what still ones need comes last.
   void queuePrograms(bool withAovs = false) {

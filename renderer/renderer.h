@@ -118,6 +118,12 @@ class Renderer {
   /// Draws one frame (or adds one sample to it) into request.framebuffer. Returns false where the scene isn't drawable,
   /// and where light is pending.
   virtual bool renderFrame(const FrameRequest& request) = 0;
+  /// Draws the first half of that frame, up to the shaded surface. renderFrame() with the same request then draws the
+  /// rest, and with another, or another scene, all of its own. A host whose driver computes on the CPU answers somebody
+  /// in between. False where there is nothing to draw, and where light is pending.
+  virtual bool beginFrame(const FrameRequest& request) = 0;
+  /// Whether the driver has drawn that half: what is left will not wait for it.
+  [[nodiscard]] virtual bool beginningIsDrawn() const = 0;
   /// The last call has computed light for request.verticesAtOnce, more of them want it, and nothing was drawn: ask for
   /// the same frame again. A light that changes before all have it is computed for all at once, so that a hand that
   /// keeps turning it sees pictures.

@@ -33,7 +33,8 @@ TextureCache::TextureCache(int maximumSize, float anisotropy) : m_maximumSize(ma
 }
 
 TextureCache::Key TextureCache::keyOf(const Image& image, const TextureBinding& binding, TextureSlot slot) {
-  return {&image, binding.colorSpace.value_or(""), textureSlotRow(slot).isColour, isNormal(slot), onlyChannelOf(image, binding, slot)};
+  return {&image, binding.colorSpace.value_or(""), textureSlotRow(slot).isColour, isNormal(slot),
+          onlyChannelOf(image, binding, slot)};
 }
 
 bool TextureCache::has(const std::shared_ptr<const Image>& image, const TextureBinding& binding,

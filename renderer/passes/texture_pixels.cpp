@@ -109,8 +109,7 @@ Image onlyChannel(const Image& image, int channel) {
   const std::size_t size = bytesPerChannel(image.type);
   const std::size_t pixel = static_cast<std::size_t>(image.channels) * size;
   const std::byte* from = image.pixels.data() + static_cast<std::size_t>(channel) * size;
-  for (std::size_t i = 0; i < pixelCount(image); ++i)
-    std::memcpy(out.pixels.data() + i * size, from + i * pixel, size);
+  for (std::size_t i = 0; i < pixelCount(image); ++i) std::memcpy(out.pixels.data() + i * size, from + i * pixel, size);
   return out;
 }
 

@@ -86,7 +86,8 @@ TEST_F(FrameTextures, ScalarsOfEveryPixelTypeInEveryHandling) {
   const std::vector<float> values = {0.2F, 0.4F, 0.6F, 0.8F};
   for (const PixelType type : {PixelType::U8, PixelType::U16, PixelType::Half, PixelType::Float})
     for (const char* space : {"", "srgb"})
-      for (const TextureChannel channel : {TextureChannel::R, TextureChannel::G, TextureChannel::B, TextureChannel::A}) {
+      for (const TextureChannel channel :
+           {TextureChannel::R, TextureChannel::G, TextureChannel::B, TextureChannel::A}) {
         ResolvedScene scene = sceneOf(makePlane(), materialOf(ShadingModel::Skin));
         TextureBinding binding;
         if (*space != '\0') binding.colorSpace = space;
@@ -95,7 +96,8 @@ TEST_F(FrameTextures, ScalarsOfEveryPixelTypeInEveryHandling) {
         still(scene);
         const float value = values[static_cast<std::size_t>(channel)];
         const bool decoded = *space != '\0' && channel != TextureChannel::A;
-        EXPECT_NEAR(pixel(m_renderer->readAov(Aov::Occlusion), 24, 24).r, decoded ? linearFromSrgb(value) : value, 3e-3F)
+        EXPECT_NEAR(pixel(m_renderer->readAov(Aov::Occlusion), 24, 24).r, decoded ? linearFromSrgb(value) : value,
+                    3e-3F)
             << "type " << static_cast<int>(type) << ", \"" << space << "\", channel " << toString(channel);
       }
 }

@@ -6,49 +6,11 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/builtin/environments.h"
 #include "core/scene/primitives.h"
-#include "gpu/frame_support.h"
+#include "gpu/moving_support.h"
 
 namespace dermis::test {
 namespace {
-
-constexpr int kEdge = 160;
-
-/// A dense ball of skin with every kind of map that matters, thin on its left and thick on its right, in a studio, with
-/// shadows on it and a lamp behind.
-ResolvedScene everything() {
-  Material skin = materialOf(ShadingModel::Skin);
-  skin.parameters.transmissionThicknessSource = ThicknessSource::Map;
-  skin.parameters.transmissionThicknessMinMm = 1.0F;
-  skin.parameters.transmissionThicknessMaxMm = 20.0F;
-  Model model = makeSphere(256);
-  appendModel(model, makeSphere(64), {glm::vec3(0.25F), {}, {-0.5F, 0.5F, 1.1F}});
-  ResolvedScene scene = sceneOf(std::move(model), skin);
-  scene.environment = builtinEnvironment("studio", 128);
-  std::vector<float> albedo, normal, specular, thickness;
-  constexpr int kSide = 64;
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x) {
-      const float wave = 0.5F + 0.5F * std::sin(0.7F * static_cast<float>(x)) * std::cos(0.5F * static_cast<float>(y));
-      albedo.insert(albedo.end(), {0.6F + 0.2F * wave, 0.4F + 0.1F * wave, 0.35F});
-      normal.insert(normal.end(), {0.5F + 0.1F * std::sin(0.4F * static_cast<float>(x)), 0.5F, 0.98F});
-      specular.push_back(0.7F + 0.3F * wave);
-      // u = ¼ faces −X, ¾ faces +X.
-      const float u = static_cast<float>(x) / kSide;
-      thickness.push_back(0.5F - 0.5F * std::sin(6.2831853F * u));
-    }
-  TextureBinding raw;
-  raw.colorSpace = "raw";
-  setMap(scene, TextureSlot::Albedo, imageOf(kSide, kSide, 3, PixelType::U8, albedo), raw);
-  setMap(scene, TextureSlot::Normal, imageOf(kSide, kSide, 3, PixelType::U8, normal), raw);
-  setMap(scene, TextureSlot::Specular, imageOf(kSide, kSide, 1, PixelType::U8, specular), raw);
-  setMap(scene, TextureSlot::Thickness, imageOf(kSide, kSide, 1, PixelType::U8, thickness), raw);
-  scene.scene.lights = {pointLight({-2.0F, 1.5F, 3.0F}, 3.0F), pointLight({2.5F, 0.5F, 2.0F}, 1.5F),
-                        pointLight({0.0F, 3.0F, 1.0F}, 1.0F), pointLight({-1.5F, 0.0F, -3.0F}, 12.0F)};
-  scene.scene.lights.back().shadow = false;  // or the ball would hold its light back from the map's thin skin
-  return scene;
-}
 
 struct Difference {
   double mean = 0.0;      ///< of all channels of the model's pixels, codes of 255
@@ -75,12 +37,8 @@ Difference between(const std::vector<std::uint8_t>& a, const std::vector<std::ui
   return result;
 }
 
-class MovingPicture : public FrameTest {
+class MovingPicture : public MovingTest {
  protected:
-  void SetUp() override {
-    m_size = {kEdge, kEdge};
-    FrameTest::SetUp();
-  }
   /// As a window shows it when it has converged, RGBA, first row lowest.
   std::vector<std::uint8_t> stillPicture(const ResolvedScene& scene) {
     still(scene, 16);
@@ -121,9 +79,7 @@ TEST_F(MovingPicture, AStillOneInTwoStepsIsTheOneDrawnAtOnce) {
   }
   model->parts.front() = rest;
   inManyParts.model = model;
-  RendererOptions options;
-  options.software = true;
-  makeRenderer(options);
+  makeSoftwareRenderer();
   constexpr int kSamples = 33;  // enough for reflections to be sampled
   const Image deferred = still(scene, kSamples), direct = still(inManyParts, kSamples);
   double sum = 0.0, apart = 0.0;
@@ -156,15 +112,11 @@ TEST_F(MovingPicture, AgreesWithTheStillOne) {
 }
 
 TEST_F(MovingPicture, DragsCompileNothing) {
-  RendererOptions options;
-  options.software = true;
-  makeRenderer(options);
+  makeSoftwareRenderer();
   ResolvedScene scene = everything();
   show(scene);
   const Window window(m_size);
-  FrameRequest frame = request(scene);
-  frame.moving = true;
-  frame.framebuffer = window.framebuffer.id();
+  FrameRequest frame = movingFrame(scene, window);
   ASSERT_TRUE(m_renderer->renderFrame(frame));
   const std::uint64_t compiled = m_renderer->statistics().programsCompiled;
   const std::vector<std::function<void()>> drags = {
@@ -186,9 +138,7 @@ TEST_F(MovingPicture, DragsCompileNothing) {
 // What was rasterised for the last frame is shaded again where only a material has changed. It must be the frame that
 // is drawn anew, whatever changes; a lens before ball and sky is drawn over both once, not once a frame.
 TEST_F(MovingPicture, WhatIsKeptOfTheLastFrameIsWhatWouldBeDrawnAnew) {
-  RendererOptions options;
-  options.software = true;
-  makeRenderer(options);
+  makeSoftwareRenderer();
   for (const bool withLamps : {false, true}) {
     ResolvedScene scene = everything();
     auto model = std::make_shared<Model>(*scene.model);
@@ -199,9 +149,7 @@ TEST_F(MovingPicture, WhatIsKeptOfTheLastFrameIsWhatWouldBeDrawnAnew) {
     if (!withLamps) scene.scene.lights.clear();
     MaterialParameters& skin = scene.slots[0].material.parameters;
     const Window window(m_size);
-    FrameRequest frame = request(scene);
-    frame.moving = true;
-    frame.framebuffer = window.framebuffer.id();
+    FrameRequest frame = movingFrame(scene, window);
     const auto picture = [&] {
       m_renderer->setScene(std::make_shared<ResolvedScene>(scene));
       EXPECT_TRUE(m_renderer->renderFrame(frame));
@@ -259,9 +207,7 @@ TEST_F(MovingPicture, WhatIsKeptOfTheLastFrameIsWhatWouldBeDrawnAnew) {
 // new ones lie below those that cast the shadows, and what their vertices hold must not be taken for all vertices'
 // light.
 TEST_F(MovingPicture, OfFewerTrianglesItIsTheSame) {
-  RendererOptions options;
-  options.software = true;
-  makeRenderer(options);
+  makeSoftwareRenderer();
   ResolvedScene scene = everything();
   show(scene);
   const Window window(2 * m_size);
@@ -311,7 +257,7 @@ TEST_F(MovingPicture, OfFewerTrianglesItIsTheSame) {
   EXPECT_LT(apart(picture(coarse), fewer).second, 1.0);
   const auto afterwards = picture(fine);
   EXPECT_GT(apart(afterwards, whole).first, 0.05) << "or the change says nothing";
-  makeRenderer(options);
+  makeSoftwareRenderer();
   show(scene);
   EXPECT_EQ(afterwards, picture(fine));
 }
@@ -319,15 +265,11 @@ TEST_F(MovingPicture, OfFewerTrianglesItIsTheSame) {
 // Light of many vertices is computed in several calls, so that a window answers between them. What is drawn in the end
 // must be what one call draws, and nothing before that; a light that keeps changing must not keep the picture away.
 TEST_F(MovingPicture, LightInSlicesIsTheSameLight) {
-  RendererOptions options;
-  options.software = true;
-  makeRenderer(options);
+  makeSoftwareRenderer();
   ResolvedScene scene = everything();
   show(scene);
   const Window window(m_size);
-  FrameRequest frame = request(scene);
-  frame.moving = true;
-  frame.framebuffer = window.framebuffer.id();
+  FrameRequest frame = movingFrame(scene, window);
   const auto frames = [&] { return m_renderer->statistics().frames; };
   // How many calls until there is a picture.
   const auto calls = [&](unsigned verticesAtOnce) {
@@ -362,7 +304,7 @@ TEST_F(MovingPicture, LightInSlicesIsTheSameLight) {
   EXPECT_EQ(calls(kSlice), 1);
   EXPECT_EQ(window.read(), inSlices);
 
-  makeRenderer(options);
+  makeSoftwareRenderer();
   show(scene);
   EXPECT_EQ(calls(0), 1);
   EXPECT_EQ(window.read(), inSlices);

@@ -173,5 +173,24 @@ TEST_F(Latency, DISABLED_LongestBlockWhileMuchIsLoaded) {
   loadAll(makeLoad(folder, "large", 708, 2048, 4096));
 }
 
+/// A picture that converges is drawn in between whatever else the window has to do.
+TEST_F(Latency, DISABLED_LongestBlockWhileAPictureConverges) {
+  window->resize(1600, 1000);
+  picture();
+  for (int round = 0; round < 3; ++round) {
+    Heartbeat heart;
+    QElapsedTimer clock;
+    window->viewport()->setTargetSamples(12);
+    Camera camera = document().camera();
+    camera.position *= 1.0001F;
+    document().setCamera(camera);
+    clock.start();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->viewport()->isSettled(); }, 600000));
+    std::printf("12 samples of the built-in look    %8.0f ms in all, longest block %6.0f ms\n",
+                static_cast<double>(clock.elapsed()), heart.longestMs());
+    std::fflush(stdout);
+  }
+}
+
 }  // namespace
 }  // namespace dermis

@@ -16,6 +16,8 @@ class ComparedPicture {
   void show(std::shared_ptr<const ResolvedScene> scene);
   /// Draws what belongs to the columns from `column` on. The camera is the request's.
   bool draw(FrameRequest request, int column);
+  /// Draws the first half of it.
+  void begin(const FrameRequest& request) { m_renderer->beginFrame(request); }
   /// A slice of what is queued; true while something is left.
   bool runJobs(double budgetMs) { return m_renderer->runJobs(budgetMs); }
   [[nodiscard]] bool jobsAreQueued() const { return m_renderer->jobsAreQueued(); }

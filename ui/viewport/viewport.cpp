@@ -23,6 +23,7 @@ namespace {
 constexpr double kJobSliceMs = 8.0;
 constexpr unsigned kVerticesAtOnce = 120000;  // a head's are lit in a call, a million triangles' in five
 constexpr int kStillAfterMs = 120;            // full resolution within 150 ms of the last change
+constexpr int kHalfAskedMs = 2;               // how often whether half of a picture is drawn
 constexpr int kRestBeforeStillMs = 500;       // with a button held: slow samples would be in the way of what comes next
 /// What the renderer, which knows no Qt, says that it is doing.
 [[maybe_unused]] constexpr const char* kJobWords[] = {
@@ -68,9 +69,18 @@ Viewport::Viewport(Document& document, QWidget* parent) : GlWidget(hostingHere()
     if (m_jobsLeft && !m_lightIsPending)
       continueJobs();
     else
-      requestFrame();
+      nextFrame();
   });
-  connect(&m_lull, &Lull::quiet, this, &GlWidget::requestFrame);
+  m_half.setInterval(kHalfAskedMs);
+  connect(&m_half, &QTimer::timeout, this, [this] {
+    if (!m_renderer || !takeContext()) return m_half.stop();
+    if (m_renderer->beginningIsDrawn()) {
+      m_half.stop();
+      requestFrame();
+    }
+    doneCurrent();
+  });
+  connect(&m_lull, &Lull::quiet, this, &Viewport::nextFrame);
   m_still.setSingleShot(true);
   m_still.setInterval(kStillAfterMs);
   connect(&m_still, &QTimer::timeout, this, &Viewport::still);
@@ -129,6 +139,25 @@ void Viewport::paintGL() {
     scheduleNext();
 }
 
+void Viewport::nextFrame() {
+  const bool isWhole = !m_moving || m_resting;
+  const bool isPaidByTheCpu = m_renderer && m_renderer->glInfo().software;
+  if (!isWhole || !isPaidByTheCpu || m_firstFrame || leftScene() != m_drawn || animated()) return requestFrame();
+  if (m_half.isActive() || !takeContext()) return;
+  m_begunClock.start();
+  const FrameRequest request = frameRequest();
+  m_isBegun = m_renderer->beginFrame(request);
+  if (m_isBegun && m_compared) m_compared->begin(request);
+  m_lightIsPending = !m_isBegun && m_renderer->lightIsPending();
+  doneCurrent();
+  if (m_isBegun)
+    m_half.start();
+  else if (m_lightIsPending)
+    m_next.start(0);
+  else
+    requestFrame();
+}
+
 FrameRequest Viewport::frameRequest() const {
   const double ratio = devicePixelRatioF();
   FrameRequest request;
@@ -156,7 +185,9 @@ FrameRequest Viewport::frameRequest() const {
 
 bool Viewport::drawFrame() {
   FrameRequest request = frameRequest();
+  m_half.stop();
   m_frameClock.start();
+  if (std::exchange(m_isBegun, false)) m_frameClock = m_begunClock;
   m_wasMoving = m_moving && !m_firstFrame;  // whose time is that of its uploads
   m_showsSamples = !request.moving;
   m_wasScaled = request.size != request.displaySize;
@@ -219,7 +250,7 @@ void Viewport::continueJobs() {
   if (m_jobsLeft)
     m_next.start(0);
   else
-    requestFrame();
+    nextFrame();
 }
 
 void Viewport::cancelJobs() {
@@ -248,7 +279,7 @@ void Viewport::still() {
     m_moving = false;
     m_resting = false;
   }
-  requestFrame();
+  nextFrame();
 }
 
 bool Viewport::eventFilter(QObject* watched, QEvent* event) {

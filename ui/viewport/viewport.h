@@ -130,6 +130,8 @@ class Viewport : public GlWidget {
   void loseRenderer();
   /// That there is a picture again.
   void tellReset();
+  /// Asks for the next picture. A whole one is drawn in two events where the CPU draws it.
+  void nextFrame();
   /// False where nothing was drawn yet, because light is still being computed.
   bool drawFrame();
   [[nodiscard]] FrameRequest frameRequest() const;
@@ -164,6 +166,7 @@ class Viewport : public GlWidget {
   int m_targetSamples = 64;
   bool m_jobsLeft = false;
   bool m_lightIsPending = false;
+  bool m_isBegun = false;         ///< the first half of the next picture was asked for
   bool m_contextWasLost = false;  ///< and there has been no picture since
   using AskReset = unsigned (*)();
   AskReset m_askReset = nullptr;  ///< glGetGraphicsResetStatus
@@ -183,11 +186,13 @@ class Viewport : public GlWidget {
   std::shared_ptr<const ResolvedScene> m_leftScene;  ///< beside it, where that isn't the document
   double m_split = 0.5;
   QTimer m_next;
+  QTimer m_half;  ///< until the first half of a picture is drawn
   Lull m_lull;
   QTimer m_still;
   QTimer m_fly;
   QElapsedTimer m_clock;
   QElapsedTimer m_frameClock;
+  QElapsedTimer m_begunClock;  ///< of a picture that is drawn in two events
   QElapsedTimer m_sinceFlyStep;
   QElapsedTimer m_sinceText;
   double m_smoothedMs = 0.0;
