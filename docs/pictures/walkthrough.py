@@ -3,10 +3,11 @@
 
   dbus-run-session -- python3 docs/pictures/walkthrough.py build/bin/dermis docs/pictures      (with a DISPLAY of 1600 × 1000)
 
-Opens a head, drops a folder of maps on it (the program's own, exported first), chooses an environment, tunes ten sliders, compares with
-a snapshot, saves the preset and a picture; then looks whether preset and picture are what was done. AT-SPI only tells
-where the controls are: hands are xdotool's. What maps are dragged out of is `dermis_ui_tests --drag-source` beside the program. Needs xdotool, ImageMagick, openbox or another window manager, and what
-tests/ui/assistive.py needs.
+Opens a head, drops a folder of maps on it (the program's own, exported first), chooses an environment, tunes ten
+sliders, compares with a snapshot, saves the preset and a picture; then looks whether preset and picture are what was
+done. AT-SPI only tells where the controls are: hands are xdotool's. What maps are dragged out of is
+`dermis_ui_tests --drag-source` beside the program. Needs xdotool, ImageMagick, openbox or another window manager, and
+what tests/ui/assistive.py needs.
 """
 import json
 import os

@@ -149,7 +149,7 @@ TEST_F(Program, TheGuideHoldsThePagesTheirPicturesAndTheKeysAsTheyAre) {
   GuideWindow* guide = window->programActions()->showGuide();
   auto* text = guide->findChild<QTextBrowser*>(QStringLiteral("guide.text"));
   EXPECT_EQ(guide->page(), QStringLiteral("user-guide.md"));
-  EXPECT_FALSE(text->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("pictures/views.png"))).isNull());
+  EXPECT_FALSE(text->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("pictures/views.jpg"))).isNull());
   auto* contents = guide->findChild<QTreeWidget*>(QStringLiteral("guide.contents"));
   for (int i = 0; i < contents->topLevelItemCount(); ++i) {
     contents->setCurrentItem(contents->topLevelItem(i));

@@ -15,10 +15,8 @@ class DockLayout : public QObject {
   Q_OBJECT
  public:
   explicit DockLayout(QMainWindow& window);
-  /// An empty dock, for addPanel and for those who want to know of it; `name` is the remembered state's key.
-  QDockWidget* add(const QString& title, const QString& name);
   /// A dock with a `Panel`, which is made inside it: a panel that moves into a dock is given its style, and measured, a
-  /// second time.
+  /// second time. `name` is the remembered state's key.
   template <class Panel, class... Arguments>
   Panel* addPanel(const QString& title, const QString& name, Arguments&&... arguments) {
     QDockWidget* dock = add(title, name);
@@ -40,6 +38,7 @@ class DockLayout : public QObject {
   void toggleFloating();
 
  private:
+  QDockWidget* add(const QString& title, const QString& name);
   [[nodiscard]] QDockWidget* dock(const char* name) const;
   void arrange();
   void arrangeBothSides();
