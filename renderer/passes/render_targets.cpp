@@ -145,6 +145,13 @@ Result<void> RenderTargets::prepareSurfaces(bool moving) {
   return images.framebuffer.check();
 }
 
+void RenderTargets::releaseWork() {
+  m_movingSurfaces = {};
+  m_stillSurfaces = {};
+  m_spreading = {};
+  for (gl::Texture* each : {&m_surface, &m_tangent, &m_far, &m_spread}) *each = {};
+}
+
 void RenderTargets::bindSurfaces(bool moving) const {
   const SurfaceImages& images = moving ? m_movingSurfaces : m_stillSurfaces;
   constexpr GLuint kFirstUnit = 21;

@@ -48,6 +48,8 @@ class RenderTargets {
   [[nodiscard]] Result<void> prepareSpread();
   /// Makes what geometryPass draws into. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSurfaces(bool moving);
+  /// Gives back what the last two made: a picture that has all its samples shows none of it.
+  void releaseWork();
 
   [[nodiscard]] glm::ivec2 size() const { return m_size; }
   [[nodiscard]] SceneImages images() const { return m_images; }

@@ -2,10 +2,12 @@
 
 #include <QApplication>
 #include <QOpenGLContext>
+#include <QThreadPool>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "ui/document/document.h"
 #include "ui/text.h"
 #include "ui/translation.h"
@@ -23,6 +25,7 @@ namespace {
 constexpr double kJobSliceMs = 8.0;
 constexpr unsigned kVerticesAtOnce = 120000;  // a head's are lit in a call, a million triangles' in five
 constexpr int kStillAfterMs = 120;            // full resolution within 150 ms of the last change
+constexpr int kRestMs = 2000;                 // of a picture with all its samples before memory is tidied
 constexpr int kHalfAskedMs = 2;               // how often whether half of a picture is drawn
 constexpr int kRestBeforeStillMs = 500;       // with a button held: slow samples would be in the way of what comes next
 /// What the renderer, which knows no Qt, says that it is doing.
@@ -80,6 +83,9 @@ Viewport::Viewport(Document& document, QWidget* parent) : GlWidget(hostingHere()
     }
     doneCurrent();
   });
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(kRestMs);
+  connect(&m_rest, &QTimer::timeout, this, [] { QThreadPool::globalInstance()->start(giveMemoryBack); });
   connect(&m_lull, &Lull::quiet, this, &Viewport::nextFrame);
   m_still.setSingleShot(true);
   m_still.setInterval(kStillAfterMs);
@@ -236,6 +242,8 @@ void Viewport::scheduleNext() {
     m_next.start(16);
   else if (!m_moving && (m_renderer->accumulating() || (m_compared && m_compared->accumulating())))
     m_lull.start(m_smoothedMs);
+  else if (!m_moving)
+    m_rest.start();
 }
 
 void Viewport::continueJobs() {

@@ -186,6 +186,7 @@ class Viewport : public GlWidget {
   std::shared_ptr<const ResolvedScene> m_leftScene;  ///< beside it, where that isn't the document
   double m_split = 0.5;
   QTimer m_next;
+  QTimer m_rest;  ///< since the picture has all its samples
   QTimer m_half;  ///< until the first half of a picture is drawn
   Lull m_lull;
   QTimer m_still;
