@@ -106,8 +106,6 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
       return false;
     }
     drawAround(*frame);
-    m_lastCamera = frame->camera;
-    m_lastMultisampled = frame->multisampled;
     ++statistics.frames;
     if (frame->level > 0) ++statistics.coarseFrames;
   } else {
@@ -242,6 +240,8 @@ bool Frame::drawSurface(const FrameContext& frame, RenderStatistics& statistics)
   }
   const auto timed = m_timer.pass("surface");
   (deferred ? shadingPass : surfacePass)(frame);
+  m_lastCamera = frame.camera;  // of the depth that pickPosition() reads
+  m_lastMultisampled = frame.multisampled;
   return true;
 }
 
@@ -498,6 +498,7 @@ std::optional<PixelReadout> Frame::readPixel(glm::ivec2 pixel, const ViewSetting
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
   const int row = size.y - 1 - pixel.y;
   const bool fromSums = m_showsSums && m_samples > 0 && m_targets.summed(SceneImage::Beauty);
+  if (m_isBegun && !fromSums) return std::nullopt;  // half a picture
   const auto texel = [&](const gl::Texture& image) {
     glm::vec4 value(0.0F);
     glGetTextureSubImage(image.id(), 0, pixel.x, row, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof value, &value[0]);

@@ -159,7 +159,8 @@ class Renderer {
   /// World position under a pixel (counted from the top left) of the last frame; nothing where there is only sky.
   [[nodiscard]] virtual std::optional<glm::vec3> pickPosition(glm::ivec2 pixel) = 0;
 
-  /// What a pixel (counted from the top left) of the last frame holds; nothing outside it.
+  /// What a pixel (counted from the top left) of the last frame holds; nothing outside it, and nothing while another
+  /// picture is half drawn.
   [[nodiscard]] virtual std::optional<PixelReadout> readPixel(glm::ivec2 pixel, const ViewSettings& view) = 0;
 
   [[nodiscard]] virtual const GlInfo& glInfo() const = 0;

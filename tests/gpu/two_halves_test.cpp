@@ -143,5 +143,36 @@ TEST_F(TwoHalves, NothingIsBegunWhereNothingIsToBeDrawn) {
   EXPECT_FALSE(m_renderer->beginFrame(frame)) << "it has all its samples";
 }
 
+TEST_F(TwoHalves, NobodyReadsHalfAPicture) {
+  const ResolvedScene scene = withAllThatIsDrawnAfterwards();
+  const Window window(m_size);
+  FrameRequest frame = movingFrame(scene, window);
+  frame.moving = false;
+  frame.targetSamples = 4;
+  show(scene);
+  const glm::ivec2 ball = m_size / 2, sky(4);
+  const auto read = [&](glm::ivec2 pixel) { return m_renderer->readPixel(pixel, frame.view); };
+  EXPECT_TRUE(m_renderer->beginFrame(frame));
+  EXPECT_FALSE(read(ball).has_value());
+  EXPECT_FALSE(read(sky).has_value());
+  EXPECT_TRUE(m_renderer->renderFrame(frame));
+  ASSERT_TRUE(read(ball).has_value());
+  const auto first = read(sky);
+  ASSERT_TRUE(first.has_value());
+  EXPECT_GT(first->radiance.r, 0.0F);
+  // Of the next sample only the mean of those before is known.
+  EXPECT_TRUE(m_renderer->beginFrame(frame));
+  ASSERT_TRUE(read(sky).has_value());
+  EXPECT_EQ(read(sky)->radiance, first->radiance);
+  // Depth belongs to the camera it was drawn with.
+  EXPECT_TRUE(m_renderer->renderFrame(frame));
+  frame.camera.position.x += 0.5F;
+  EXPECT_TRUE(m_renderer->beginFrame(frame));
+  const auto begun = m_renderer->pickPosition(ball);
+  EXPECT_TRUE(m_renderer->renderFrame(frame));
+  ASSERT_TRUE(begun.has_value());
+  EXPECT_EQ(begun, m_renderer->pickPosition(ball));
+}
+
 }  // namespace
 }  // namespace dermis::test

@@ -194,6 +194,23 @@ TEST_F(ViewToolsTest, TheReadoutSaysWhatThePixelHolds) {
   tools().readout().clearPins();
 }
 
+TEST_F(ViewToolsTest, TheReadoutFollowsThePictureUnderAPointerThatRests) {
+  picture();
+  const QPointF at(middle() + QPoint(30, 0));
+  send(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
+  auto* label = find<OverlayLabel>(QStringLiteral("viewport.readout"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !label->isHidden(); }, kPatienceMs));
+  const QString before = label->text();
+  auto darker = std::make_shared<ResolvedScene>(*document().snapshot());
+  darker->scene.environment.exposureStops = -3.0F;
+  viewport()->compareWith(darker);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return label->text() != before; }, kPatienceMs)) << "it stands right of the split";
+  picture();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return label->text() == tools().readout().textAt(at); }, kPatienceMs));
+  viewport()->compareWith(nullptr);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return label->text() == before; }, kPatienceMs)) << label->text().toStdString();
+}
+
 TEST_F(ViewToolsTest, AltAndAClickChooseTheSlotADragDoesNot) {
   document().setCurrentSlot(QStringLiteral("eye"));
   ASSERT_EQ(document().currentSlot(), QStringLiteral("eye"));

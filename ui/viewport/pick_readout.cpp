@@ -14,7 +14,8 @@
 namespace dermis {
 namespace {
 
-constexpr int kReadAfterMs = 60;  // often enough for a hand, and no more work than needed
+constexpr int kReadAfterMs = 60;   // often enough for a hand, and no more work than needed
+constexpr int kReadAgainMs = 250;  // under a pointer that rests, as the picture converges: digits that can be read
 
 QString triple(const glm::vec3& v, int digits) {
   return QStringLiteral("%1  %2  %3")
@@ -31,11 +32,14 @@ PickReadout::PickReadout(Document& document, Viewport& viewport)
   m_label->setObjectName(QStringLiteral("viewport.readout"));
   m_label->hide();
   m_soon.setSingleShot(true);
-  m_soon.setInterval(kReadAfterMs);
   connect(&m_soon, &QTimer::timeout, this, &PickReadout::read);
   connect(&viewport, &Viewport::pointed, this, [this](const QPointF& at) {
     m_at = at;
-    if (m_enabled && !m_soon.isActive()) m_soon.start();
+    m_isWanted = m_enabled;
+    if (m_isWanted && !m_soon.isActive()) m_soon.start(kReadAfterMs);
+  });
+  connect(&viewport, &GlWidget::frameShown, this, [this] {
+    if (m_isWanted && !m_soon.isActive()) m_soon.start(kReadAgainMs);
   });
   connect(&viewport, &Viewport::pointerLeft, this, [this] {
     m_at.reset();
@@ -51,6 +55,7 @@ void PickReadout::setEnabled(bool enabled) {
 }
 
 void PickReadout::hide() {
+  m_isWanted = false;
   m_soon.stop();
   m_label->hide();
 }
@@ -80,7 +85,7 @@ QString PickReadout::textAt(const QPointF& at) {
 void PickReadout::read() {
   if (!m_at || !m_enabled) return;
   const QString words = textAt(*m_at);
-  if (words.isEmpty()) return hide();
+  if (words.isEmpty()) return m_label->hide();
   m_label->setText(words);
   m_label->setAccessibleName(tr("Under the pointer: %1").arg(words));
   m_label->adjustSize();
@@ -89,7 +94,11 @@ void PickReadout::read() {
 }
 
 void PickReadout::pin(const QPointF& at) {
-  const QString words = textAt(at);
+  QString words = textAt(at);
+  if (words.isEmpty()) {
+    m_viewport.grabFrame();  // half a picture says nothing yet
+    words = textAt(at);
+  }
   if (words.isEmpty()) return;
   QGuiApplication::clipboard()->setText(words);
   const auto hit = m_viewport.surfaceAt(at);

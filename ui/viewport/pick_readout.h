@@ -53,6 +53,7 @@ class PickReadout : public QObject, public ViewportTool {
   QTimer m_soon;
   std::optional<QPointF> m_at;
   bool m_enabled = true;
+  bool m_isWanted = false;  ///< the pointer has been over the picture since something was changed
   QList<Pin> m_pins;
 };
 
