@@ -63,5 +63,28 @@ TEST_F(ModelUnit, ANumberOfMillimetresIsTypedAndSkinsReachChangesWithIt) {
   EXPECT_GT(meanDifference(before, picture()), 0.2F);
 }
 
+/// On another model the built-in look has lost the head's maps; what an artist changed is still marked, and reverting
+/// takes back that and no more.
+TEST_F(ModelUnit, WhatWasEditedIsStillEditedOnAnotherModel) {
+  document().setCurrentSlot(QStringLiteral("face"));
+  auto* preset = find<QLabel>(QStringLiteral("material.preset"));
+  ASSERT_FALSE(preset->text().endsWith(QLatin1Char('*'))) << preset->text().toStdString();
+  openModel("face.obj", 250.0F);
+  EXPECT_FALSE(preset->text().endsWith(QLatin1Char('*'))) << "nobody has changed anything";
+  undo().undo();
+  document().setParameter(QStringLiteral("face"), "subsurface.scale", 2.5F, newGesture());
+  ASSERT_TRUE(preset->text().endsWith(QLatin1Char('*')));
+  openModel("face.obj", 250.0F);
+  EXPECT_TRUE(preset->text().endsWith(QLatin1Char('*'))) << preset->text().toStdString();
+  const Material worn = document().currentLook()->worn.material;
+  EXPECT_FLOAT_EQ(worn.parameters.subsurfaceScale, 2.5F);
+  find<QToolButton>(QStringLiteral("material.revert"))->click();
+  ASSERT_TRUE(waitIdle());
+  const Material& reverted = document().currentLook()->worn.material;
+  EXPECT_FLOAT_EQ(reverted.parameters.subsurfaceScale, 1.0F);
+  EXPECT_EQ(reverted.textures, worn.textures) << "the head's maps don't come back";
+  EXPECT_FALSE(preset->text().endsWith(QLatin1Char('*')));
+}
+
 }  // namespace
 }  // namespace dermis

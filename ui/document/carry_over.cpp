@@ -10,25 +10,39 @@
 namespace dermis {
 namespace {
 
-/// Maps that belong to the earlier model stay with it, those that travelled inside its file and those that are laid out
-/// for the built-in head: the new file's own take their place, and what multiplied a map is itself again where there is
-/// none.
-void replaceBelonging(SlotLook& look, const ResolvedMaterial& imported, bool isHead) {
-  bool replaced = false;
+/// Puts the new model's own maps in place of those that belong to the earlier one; what multiplied such a map is itself
+/// again where there is none. Which they were.
+std::vector<std::size_t> replaceBelonging(Material& material, const Material& imported, bool isHead) {
+  std::vector<std::size_t> replaced;
   for (std::size_t i = 0; i < kTextureSlotCount; ++i) {
-    TextureBinding& binding = look.worn.material.textures.at(i);
+    TextureBinding& binding = material.textures.at(i);
     const bool belongs = embeddedIndex(binding.path).has_value() || (!isHead && isHeadMap(binding.path));
     if (!belongs) continue;
-    binding = imported.material.textures.at(i);
-    look.worn.images.at(i) = imported.images.at(i);
-    replaced = true;
+    binding = imported.textures.at(i);
+    replaced.push_back(i);
     if (binding.present()) continue;
     for (const ParameterRow& row : parameterTable())
-      if (row.map == static_cast<TextureSlot>(i)) row.set(look.worn.material.parameters, row.defaultValue());
+      if (row.map == static_cast<TextureSlot>(i)) row.set(material.parameters, row.defaultValue());
   }
-  if (!replaced) return;
+  return replaced;
+}
+
+/// Maps that belong to the earlier model stay with it: those that travelled inside its file and those that are laid out
+/// for the built-in head.
+void replaceBelonging(SlotLook& look, const ResolvedMaterial& imported, bool isHead) {
+  const std::vector<std::size_t> replaced = replaceBelonging(look.worn.material, imported.material, isHead);
+  if (replaced.empty()) return;
+  for (const std::size_t i : replaced) look.worn.images.at(i) = imported.images.at(i);
   const std::string preset = look.binding ? look.binding->presetPath : std::string();
-  look.binding = MaterialBinding{look.worn.material, preset, !preset.empty()};
+  bool edited = !preset.empty();
+  // A preset that is no file is laid on the new model in the same way: edited is what somebody has changed since.
+  if (preset.empty() && look.preset) {
+    Material fitting = *look.preset;
+    replaceBelonging(fitting, imported.material, isHead);
+    edited = !(fitting == look.worn.material);
+    look.preset = std::make_shared<Material>(std::move(fitting));
+  }
+  look.binding = MaterialBinding{look.worn.material, preset, edited};
 }
 
 }  // namespace
