@@ -13,6 +13,7 @@
 #include <QRegularExpression>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTranslator>
 #include <QTreeWidget>
@@ -150,6 +151,16 @@ TEST_F(Program, TheGuideHoldsThePagesTheirPicturesAndTheKeysAsTheyAre) {
   auto* text = guide->findChild<QTextBrowser*>(QStringLiteral("guide.text"));
   EXPECT_EQ(guide->page(), QStringLiteral("user-guide.md"));
   EXPECT_FALSE(text->loadResource(QTextDocument::ImageResource, QUrl(QStringLiteral("pictures/views.jpg"))).isNull());
+  // The first picture is as wide as the page, or as it is itself.
+  const auto widthOfTheFirstPicture = [text] {
+    for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next())
+      for (auto it = block.begin(); !it.atEnd(); ++it)
+        if (const QTextImageFormat format = it.fragment().charFormat().toImageFormat(); format.isValid())
+          return format.width();
+    return 0.0;
+  };
+  EXPECT_TRUE(QTest::qWaitFor([&] { return widthOfTheFirstPicture() > 0.8 * text->viewport()->width(); }, kPatienceMs))
+      << widthOfTheFirstPicture() << " of " << text->viewport()->width();
   auto* contents = guide->findChild<QTreeWidget*>(QStringLiteral("guide.contents"));
   for (int i = 0; i < contents->topLevelItemCount(); ++i) {
     contents->setCurrentItem(contents->topLevelItem(i));

@@ -94,7 +94,8 @@ GuideWindow::GuideWindow(const Shortcuts& shortcuts, QWidget* parent)
   connect(m_contents, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
     if (item != nullptr) open(item->data(0, kPageRole).toString(), item->data(0, kHeadingRole).toString());
   });
-  connect(split, &QSplitter::splitterMoved, this, &GuideWindow::fitPictures);
+  // Not this window's size: the text has its own only when the layout, or the splitter, has given it one.
+  m_text->viewport()->installEventFilter(this);
   connect(m_search, &QLineEdit::textChanged, this, &GuideWindow::search);
   connect(m_search, &QLineEdit::returnPressed, this, &GuideWindow::findNext);
   connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) {
@@ -171,10 +172,11 @@ void GuideWindow::open(const QString& page, const QString& heading) {
       }
     for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next()) {
       QTextBlockFormat format = block.blockFormat();
-      if (format.headingLevel() == 0) continue;
-      format.setTopMargin(format.headingLevel() == 1 ? 4 : 20);
-      format.setBottomMargin(8);
-      QTextCursor(block).setBlockFormat(format);
+      QTextCursor cursor(block);
+      if (cursor.currentTable() != nullptr) continue;
+      if (format.headingLevel() > 0) format.setTopMargin(format.headingLevel() == 1 ? 4 : 20);
+      format.setBottomMargin(block.textList() != nullptr ? 3 : 9);
+      cursor.setBlockFormat(format);
     }
   }
   fitPictures();
@@ -202,9 +204,10 @@ void GuideWindow::fitPictures() {
     }
 }
 
-void GuideWindow::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  fitPictures();
+bool GuideWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_text->viewport() && event->type() == QEvent::Resize)
+    QMetaObject::invokeMethod(this, &GuideWindow::fitPictures, Qt::QueuedConnection);
+  return QWidget::eventFilter(watched, event);
 }
 
 void GuideWindow::showHeading(const QString& heading) {

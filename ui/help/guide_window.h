@@ -23,7 +23,7 @@ class GuideWindow : public QWidget {
   [[nodiscard]] QString page() const { return m_page; }
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void fillContents();
