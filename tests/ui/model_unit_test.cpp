@@ -23,6 +23,7 @@ TEST_F(ModelUnit, OpeningAModelSaysItsHeightAndAUnitCanBeChosen) {
   openModel("head.obj", 0.25F);
   EXPECT_FALSE(bar()->isHidden());
   EXPECT_TRUE(words().contains(QStringLiteral("head.obj"))) << words().toStdString();
+  EXPECT_FALSE(find<QLabel>(QStringLiteral("modelUnit.why"))->toolTip().isEmpty()) << "an OBJ doesn't say its unit";
   const int entries = undo().count();
   find<QToolButton>(QStringLiteral("modelUnit.m"))->click();
   EXPECT_TRUE(words().contains(QStringLiteral("250 mm"))) << words().toStdString();

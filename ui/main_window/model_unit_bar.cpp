@@ -10,6 +10,7 @@
 
 #include "ui/docks/panel.h"
 #include "ui/document/document.h"
+#include "ui/rows/elided_label.h"
 #include "ui/rows/number_field.h"
 #include "ui/text.h"
 #include "ui/theme/metrics.h"
@@ -39,8 +40,11 @@ ModelUnitBar::ModelUnitBar(Document& document, QWidget* parent) : QFrame(parent)
   m_text = new QLabel(this);
   m_text->setObjectName(QStringLiteral("modelUnit.text"));
   m_text->setTextFormat(Qt::PlainText);
-  m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  row->addWidget(m_text, 1);
+  row->addWidget(m_text);
+  m_why = new ElidedLabel(this);
+  m_why->setObjectName(QStringLiteral("modelUnit.why"));
+  m_why->setProperty("quiet", true);
+  row->addWidget(m_why, 1);
   auto* question = new QLabel(tr("One unit of the file is"), this);
   question->setProperty("quiet", true);
   row->addWidget(question);
@@ -103,8 +107,10 @@ void ModelUnitBar::refresh() {
   const float millimetres = m_document.millimetresPerUnit();
   const double height = static_cast<double>(bounds.max.y - bounds.min.y) * static_cast<double>(millimetres);
   const QString tall = tr("%1 is %2 mm tall").arg(m_name).arg(height, 0, 'f', height < 100.0 ? 1 : 0);
-  m_text->setText(m_source.isEmpty() ? tall : tr("%1 (%2)").arg(tall, m_source));
-  m_text->setAccessibleName(m_text->text());
+  m_text->setText(tall);
+  m_text->setAccessibleName(m_source.isEmpty() ? tall : tr("%1 (%2)").arg(tall, m_source));
+  m_why->setFullText(m_source);
+  m_why->setToolTip(m_source);
   m_units->setExclusive(false);
   for (QAbstractButton* button : m_units->buttons())
     button->setChecked(kUnits.at(static_cast<std::size_t>(m_units->id(button))).millimetres == millimetres);

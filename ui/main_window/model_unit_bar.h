@@ -9,6 +9,7 @@ class QLabel;
 namespace dermis {
 
 class Document;
+class ElidedLabel;
 class NumberField;
 
 class ModelUnitBar : public QFrame {
@@ -27,6 +28,7 @@ class ModelUnitBar : public QFrame {
   QString m_name;
   QString m_source;
   QLabel* m_text = nullptr;
+  ElidedLabel* m_why = nullptr;  ///< where the unit came from
   QButtonGroup* m_units = nullptr;
   NumberField* m_number = nullptr;
 };
