@@ -96,7 +96,7 @@ void PickReadout::read() {
 void PickReadout::pin(const QPointF& at) {
   QString words = textAt(at);
   if (words.isEmpty()) {
-    m_viewport.grabFrame();  // half a picture says nothing yet
+    static_cast<void>(m_viewport.grabFrame());  // half a picture says nothing yet
     words = textAt(at);
   }
   if (words.isEmpty()) return;
