@@ -16,6 +16,7 @@
 #include <QTextTable>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <cmath>
 
 #include "ui/theme/icons.h"
 #include "ui/theme/metrics.h"
@@ -196,6 +197,11 @@ void GuideWindow::fitPictures() {
       if (qFuzzyCompare(format.width(), width)) continue;
       format.setWidth(width);
       format.setHeight(width * picture.height() / picture.width());
+      // Made as large as it is shown: a text document scales by leaving pixels out.
+      QImage fitted =
+          picture.scaledToWidth(static_cast<int>(std::lround(width * devicePixelRatioF())), Qt::SmoothTransformation);
+      fitted.setDevicePixelRatio(devicePixelRatioF());
+      document.addResource(QTextDocument::ImageResource, QUrl(format.name()), fitted);
       QTextCursor cursor(&document);
       cursor.setPosition(it.fragment().position());
       cursor.setPosition(it.fragment().position() + it.fragment().length(), QTextCursor::KeepAnchor);
