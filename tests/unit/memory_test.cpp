@@ -25,7 +25,7 @@ TEST(Memory, WhatWasFreedGoesBack) {
 #endif
   if (residentMiB() <= 0.0) GTEST_SKIP() << "this system doesn't say how much is resident";
   constexpr std::size_t kPieces = 32768, kBytes = 4000;  // each too small for a mapping of its own, 125 MiB together
-  giveMemoryBack();  // what other tests have left would be used again
+  giveMemoryBack();                                      // what other tests have left would be used again
   const double before = residentMiB();
   std::vector<std::unique_ptr<char[]>> pieces(kPieces);
   for (auto& piece : pieces) {
