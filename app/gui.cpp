@@ -100,7 +100,7 @@ std::map<std::string, std::string> metadataOf(const ResolvedScene& scene, const 
 
 }  // namespace
 
-int runEditor(int& argc, char** argv, std::vector<std::filesystem::path> files) {
+int runEditor(int& argc, char** argv, const std::vector<std::filesystem::path>& files) {
   if (!displayReachable()) {
     std::fputs(
         "dermis: no display can be reached; set DISPLAY or WAYLAND_DISPLAY, or use a command such as \"dermis "

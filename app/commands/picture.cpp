@@ -147,7 +147,7 @@ Outcome<void> writePicture(Renderer& renderer, const Look& look, const PictureRe
     const ImageWriteOptions options = optionsFor(layer.name);
     const fs::path file = layer.name.empty() ? request.output : aovFile(request.output, layer.name);
     layer.name.clear();
-    if (const auto written = writeLayers(file, {std::move(layer)}, options); !written) return written;
+    if (auto written = writeLayers(file, {std::move(layer)}, options); !written) return written;
   }
   return {};
 }

@@ -122,7 +122,7 @@ Outcome<void> findInputs(Scene& scene, const InputFinder& finder, Warnings& warn
   for (auto& [slot, binding] : scene.materials)
     for (TextureBinding& texture : binding.material.textures) paths.push_back(&texture.path);
   for (std::string* path : paths)
-    if (const auto found = finder.resolve(*path, warnings); !found) return found;
+    if (auto found = finder.resolve(*path, warnings); !found) return found;
   return {};
 }
 

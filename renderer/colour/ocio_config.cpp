@@ -51,14 +51,14 @@ std::string rec709Space(const OCIO::ConstConfigRcPtr& config) {
 }
 
 OCIO::BuiltinTransformRcPtr builtin(const char* style, OCIO::TransformDirection direction) {
-  const OCIO::BuiltinTransformRcPtr transform = OCIO::BuiltinTransform::Create();
+  OCIO::BuiltinTransformRcPtr transform = OCIO::BuiltinTransform::Create();
   transform->setStyle(style);
   transform->setDirection(direction);
   return transform;
 }
 
 OCIO::ColorSpaceTransformRcPtr between(const std::string& source, const std::string& destination) {
-  const OCIO::ColorSpaceTransformRcPtr transform = OCIO::ColorSpaceTransform::Create();
+  OCIO::ColorSpaceTransformRcPtr transform = OCIO::ColorSpaceTransform::Create();
   transform->setSrc(source.c_str());
   transform->setDst(destination.c_str());
   return transform;

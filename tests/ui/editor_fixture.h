@@ -71,7 +71,7 @@ class Editor : public testing::Test {
   /// From its own mean colour, 0 to 255: of one colour alone there is none.
   static float contrast(const QImage& image);
   static std::string write(const QTemporaryDir& folder, const char* name, const std::string& bytes) {
-    const std::string path = folder.filePath(QString::fromUtf8(name)).toStdString();
+    std::string path = folder.filePath(QString::fromUtf8(name)).toStdString();
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
   }
