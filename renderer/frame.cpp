@@ -113,12 +113,8 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   }
 
   if (!request.moving && drawsOne) {
-    const auto timed = m_timer.pass("accumulate");
-    if (auto sums = m_targets.prepareSums(m_stillKey.images); !sums) {
-      m_messages.say(sums.error().message);
-      return false;
-    }
-    accumulatePass(*frame, m_samples == 0);
+    // A single sample is its own mean: it goes into the sums when the next one is drawn.
+    if (m_samples > 0) accumulate(*frame);
     ++m_samples;
   }
 
@@ -181,7 +177,7 @@ std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneRes
                      revision};
   const bool isAnother = !(key == m_stillKey);
   if (isAnother || request.moving != m_begunMoving) m_isBegun = false;
-  if (isAnother || request.moving) m_samples = 0;
+  if (isAnother || request.moving) m_samples = m_summed = 0;
   m_stillKey = key;
   m_begunMoving = request.moving;
   m_targetSamples = std::max(request.targetSamples, 1);
@@ -200,9 +196,18 @@ std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneRes
   return frame;
 }
 
+void Frame::accumulate(const FrameContext& frame) {
+  const auto timed = m_timer.pass("accumulate");
+  if (auto sums = m_targets.prepareSums(m_stillKey.images); !sums) m_messages.say(sums.error().message);
+  glViewport(0, 0, frame.request.size.x, frame.request.size.y);
+  accumulatePass(frame, m_summed == 0);
+  ++m_summed;
+}
+
 bool Frame::drawSurface(const FrameContext& frame, RenderStatistics& statistics) {
   const FrameRequest& request = frame.request;
   m_noVertices.bind();
+  if (!request.moving && m_summed < m_samples) accumulate(frame);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // the environment's faces meet without a seam
   // Reversed depth in 0..1: see cameraMatrices.
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -390,7 +395,7 @@ void Frame::clear(const FrameContext& frame) const {
 void Frame::show(const FrameContext& frame, bool fromSums) {
   const FrameRequest& request = frame.request;
   const SceneImage which = sceneImageOf(request.aov);
-  const gl::Texture& image = fromSums ? m_targets.sum(which) : m_targets.image(which);
+  const gl::Texture& image = fromSums ? samplesOf(which) : m_targets.image(which);
   const float weight = fromSums ? 1.0F / static_cast<float>(std::max(m_samples, 1)) : 1.0F;
   const glm::ivec2 size = request.displaySize.x > 0 && request.displaySize.y > 0 ? request.displaySize : request.size;
   glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);
@@ -438,15 +443,15 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
 
 Image Frame::readAov(Aov aov) const {
   const SceneImage which = sceneImageOf(aov);
-  if (!m_targets.summed(which) || m_samples == 0) return blackAov(aov, m_targets.size());
-  return aovFromSums(aov, m_targets.sum(which), m_samples);
+  if (m_samples == 0 || !samplesOf(which)) return blackAov(aov, m_targets.size());
+  return aovFromSums(aov, samplesOf(which), m_samples);
 }
 
 Image Frame::readView(Aov aov, const ResolvedScene* scene, const ViewSettings& view, PixelType type) {
   const glm::ivec2 size = glm::max(m_targets.size(), glm::ivec2(1));
   const bool wide = type != PixelType::U8;
   const SceneImage which = sceneImageOf(aov);
-  if (m_samples == 0 || scene == nullptr || !m_targets.summed(which)) return blackDisplay(size, wide);
+  if (m_samples == 0 || scene == nullptr || !samplesOf(which)) return blackDisplay(size, wide);
   const gl::Texture target = gl::Texture::create({.format = wide ? GLenum{GL_RGBA16} : GLenum{GL_RGBA8},
                                                   .width = size.x,
                                                   .height = size.y,
@@ -456,7 +461,7 @@ Image Frame::readView(Aov aov, const ResolvedScene* scene, const ViewSettings& v
   framebuffer.drawTo(1);
   framebuffer.bind();
   m_noVertices.bind();
-  const gl::Texture& sums = m_targets.sum(which);
+  const gl::Texture& sums = samplesOf(which);
   const float weight = 1.0F / static_cast<float>(m_samples);
   if (isData(aov)) {
     DisplayPass::drawData(m_shaders, m_messages, aov, valueRange(aov, *scene, m_stillKey.camera), sums, weight, size,
@@ -497,7 +502,7 @@ std::optional<PixelReadout> Frame::readPixel(glm::ivec2 pixel, const ViewSetting
   const glm::ivec2 size = m_targets.size();
   if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
   const int row = size.y - 1 - pixel.y;
-  const bool fromSums = m_showsSums && m_samples > 0 && m_targets.summed(SceneImage::Beauty);
+  const bool fromSums = m_showsSums && m_samples > 0;
   if (m_isBegun && !fromSums) return std::nullopt;  // half a picture
   const auto texel = [&](const gl::Texture& image) {
     glm::vec4 value(0.0F);
@@ -505,7 +510,7 @@ std::optional<PixelReadout> Frame::readPixel(glm::ivec2 pixel, const ViewSetting
     return value;
   };
   PixelReadout readout;
-  readout.radiance = fromSums ? texel(m_targets.sum(SceneImage::Beauty)) / static_cast<float>(m_samples)
+  readout.radiance = fromSums ? texel(samplesOf(SceneImage::Beauty)) / static_cast<float>(m_samples)
                               : texel(m_targets.image(SceneImage::Beauty));
   readout.display = m_display.encoded(readout.radiance, view, m_messages);
   if (m_targets.has(SceneImage::Geometry))

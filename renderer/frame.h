@@ -36,7 +36,7 @@ class Frame {
   [[nodiscard]] bool beginningIsDrawn() const { return m_begunFence.isPassed(); }
 
   void restart() {
-    m_samples = 0;
+    m_samples = m_summed = 0;
     m_isBegun = false;
   }
   [[nodiscard]] bool lightIsPending() const { return m_lightIsPending; }
@@ -95,6 +95,12 @@ class Frame {
   /// Null where the surface's images have to be drawn each time.
   [[nodiscard]] std::optional<SurfaceKey> surfaceKey(const FrameContext& frame) const;
   void show(const FrameContext& frame, bool fromSums);
+  /// Adds the images to the sums.
+  void accumulate(const FrameContext& frame);
+  /// m_samples of a still picture together; nothing where they aren't kept.
+  [[nodiscard]] const gl::Texture& samplesOf(SceneImage image) const {
+    return m_summed == m_samples ? m_targets.sum(image) : m_targets.image(image);
+  }
 
   gl::ShaderLibrary& m_shaders;
   MessageLog& m_messages;
@@ -113,7 +119,8 @@ class Frame {
   gl::Fence m_begunFence;
   std::optional<SurfaceKey> m_surfaceKey;  ///< of what the images of a moving surface hold
   SceneImages m_kept = kBeautyOnly;
-  int m_samples = 0;  ///< in the sums
+  int m_samples = 0;  ///< of a still picture
+  int m_summed = 0;   ///< of these, in the sums: all of them, or the only one still is the images
   int m_targetSamples = 1;
   std::vector<PixelArea> m_drawnOver;  ///< of a surface that is kept: where transparent parts stood over it
   bool m_surfacesAreKept = false;      ///< in the frame being drawn

@@ -31,7 +31,7 @@ void fillTable(DiffusionKernel& kernel, const DiffusionProfile& profile, const g
     // r R(r) is finite at 0, but R itself needn't be.
     const double r = std::max(radiusAt(static_cast<double>(i)), 1e-9 * extent);
     const glm::dvec3 density = spreading * r * profile.value(r) / rest;
-    kernel.table.at(i) = glm::vec4(density, 0.0F);
+    kernel.densities.at(i) = glm::vec4(density, 0.0F);
   }
   // The radii of equal shares: the mean's distribution on a finer grid, read the other way round.
   constexpr int kFine = 8;
@@ -46,11 +46,13 @@ void fillTable(DiffusionKernel& kernel, const DiffusionProfile& profile, const g
       const double share = static_cast<double>(next) / kLast;
       if (share > high && i < kFine * static_cast<int>(kLast)) break;
       const double at = high > low ? std::clamp((share - low) / (high - low), 0.0, 1.0) : 0.0;
-      kernel.table.at(next).a = static_cast<float>(lowRadius + at * (highRadius - lowRadius));
+      kernel.radii.at(next).x = static_cast<float>(lowRadius + at * (highRadius - lowRadius));
     }
     lowRadius = highRadius;
     low = high;
   }
+  for (std::size_t i = 0; i + 1 < kProfileTableSize; ++i)
+    kernel.radii.at(i).y = kernel.radii.at(i + 1).x - kernel.radii.at(i).x;
 }
 
 /// Cells for two passes: the borders grow as a power of their number, which leaves the least error of a step edge with
@@ -149,7 +151,7 @@ std::uint64_t DiffusionKernels::update(const ResolvedScene& scene, Warnings& mes
     m_buffer = gl::Buffer::writable("diffusion profiles", sizeof(ProfileBlock));
     m_table = gl::Texture::create({.format = GL_RGBA32F,
                                    .width = static_cast<int>(kProfileTableSize),
-                                   .height = static_cast<int>(kMaxProfiles),
+                                   .height = 2 * static_cast<int>(kMaxProfiles),
                                    .label = "diffusion profiles"});
     m_table.setFilter(GL_NEAREST, GL_NEAREST);
   }
@@ -160,8 +162,9 @@ std::uint64_t DiffusionKernels::update(const ResolvedScene& scene, Warnings& mes
     m_block.boundary.at(i) = glm::vec4(wanted[i].boundary, kernel.tolerance);
     for (std::size_t k = 0; k < kernel.cells.size(); ++k)
       m_block.cells.at(i * kernel.cells.size() + k) = kernel.cells.at(k);
-    glTextureSubImage2D(m_table.id(), 0, 0, static_cast<GLint>(i), static_cast<GLsizei>(kProfileTableSize), 1, GL_RGBA,
-                        GL_FLOAT, kernel.table.data());
+    for (const auto* row : {&kernel.densities, &kernel.radii})
+      glTextureSubImage2D(m_table.id(), 0, 0, static_cast<GLint>(2 * i + (row == &kernel.radii ? 1 : 0)),
+                          static_cast<GLsizei>(kProfileTableSize), 1, GL_RGBA, GL_FLOAT, row->data());
     ++made;
   }
   if (made > 0) m_buffer.update(0, bytesOf(m_block));

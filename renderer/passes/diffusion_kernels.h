@@ -31,7 +31,7 @@ struct DiffusionKernel {
   glm::vec4 direct{1.0F, 1.0F, 1.0F, 0.0F};
   float tolerance = 0.0F;
   std::array<glm::vec4, kSideTaps + 2> cells{};
-  std::array<glm::vec4, kProfileTableSize> table{};
+  std::array<glm::vec4, kProfileTableSize> densities{}, radii{};  ///< the two rows of the table
 };
 /// How many materials of a scene have a profile of their own.
 [[nodiscard]] std::size_t profileCount(const ResolvedScene& scene);

@@ -72,7 +72,9 @@ Geometry Geometry::upload(const Model& model) {
 
 void Geometry::setBake(const MeshBake* bake) {
   m_baked = gl::Buffer();
+  m_solids.clear();
   if (bake == nullptr) return;
+  m_solids = bake->solids;
   std::vector<BakedVertex> vertices;
   vertices.reserve(bake->vertices.size());
   for (const VertexBake& vertex : bake->vertices) vertices.push_back(packed(vertex));

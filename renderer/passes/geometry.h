@@ -20,6 +20,8 @@ class Geometry {
   /// What was baked of the model's vertices, or null: then they know nothing.
   void setBake(const MeshBake* bake);
   [[nodiscard]] bool hasBake() const { return static_cast<bool>(m_baked); }
+  /// Whether a part bounds solids, as far as that was baked: from outside none of its back faces is seen.
+  [[nodiscard]] bool boundsSolids(std::size_t part) const { return part < m_solids.size() && m_solids[part] != 0; }
   /// Vertices, their light and what was baked of them, as vertex_light.comp takes them.
   void bindForLight() const;
   /// The vertices that a part's triangles of a level use: first and count, of all vertices or of coarseVertices().
@@ -53,6 +55,7 @@ class Geometry {
   gl::VertexArray m_vertexArray;
   gl::Buffer m_vertices, m_indices, m_baked, m_light;
   std::vector<Bounds> m_partBounds;
+  std::vector<std::uint8_t> m_solids;
   std::vector<glm::uvec2> m_vertexRanges;
   /// A part's triangles that lie on no seam, then those that do, whose seams have consecutive numbers.
   struct Patches {

@@ -28,6 +28,18 @@ void drawTriangles(const FrameContext& frame, const gl::Program& program, std::s
                                  pixelsPerPiece(frame.request.moving, frame.resources.isSoftware())));
 }
 
+/// Whether a part's back faces can be left out: where its material shows one side only, and where none is seen because
+/// the part bounds solids and the camera stands outside. Half of a dense mesh's cost is the half that looks away.
+bool leavesOutBackFaces(const FrameContext& frame, std::size_t index) {
+  const SlotResources& slot = frame.resources.slots()[frame.scene.model->parts[index].slot];
+  if (slot.cullBackFaces) return true;
+  const Geometry& geometry = frame.resources.geometry();
+  if (slot.kind != DrawKind::Opaque || slot.displaced || slot.hasCutOuts || !geometry.boundsSolids(index)) return false;
+  const Bounds& bounds = geometry.partBounds()[index];
+  const glm::vec3 position = frame.camera.position;
+  return glm::any(glm::lessThan(position, bounds.min)) || glm::any(glm::greaterThan(position, bounds.max));
+}
+
 void drawPart(const FrameContext& frame, std::size_t index) {
   const ModelPart& part = frame.scene.model->parts[index];
   const SlotResources& slot = frame.resources.slots()[part.slot];
@@ -37,7 +49,7 @@ void drawPart(const FrameContext& frame, std::size_t index) {
   if (program == nullptr) return;
   frame.resources.bindSlot(slot);
   if (slot.kind == DrawKind::Opaque || slot.cullBackFaces) {
-    (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    (leavesOutBackFaces(frame, index) ? glEnable : glDisable)(GL_CULL_FACE);
     drawTriangles(frame, *program, index);
     return;
   }
@@ -143,7 +155,7 @@ void geometryPass(const FrameContext& frame) {
         withTiles(geometryProgram(frame.request.moving, slot.displaced), slot.displaced && slot.tiled));
     if (program == nullptr) continue;
     frame.resources.bindSlot(slot);
-    (slot.cullBackFaces ? glEnable : glDisable)(GL_CULL_FACE);
+    (leavesOutBackFaces(frame, i) ? glEnable : glDisable)(GL_CULL_FACE);
     glUniform1i(program->uniform("u_slot"), static_cast<GLint>(parts[i].slot));
     drawTriangles(frame, *program, i);
   }

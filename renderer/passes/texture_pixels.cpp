@@ -211,55 +211,82 @@ namespace {
 
 /// Both ways between 8-bit sRGB codes and linear light, for images of many millions of them.
 struct SrgbTables {
-  static constexpr std::size_t kSteps = 16384;  // a step is a fifteenth of the darkest code's width
-  std::array<float, 256> linear{};
+  static constexpr std::uint32_t kSteps = 16384;  // a step is a fifteenth of the darkest code's width
+  std::array<std::uint32_t, 256> linear{};        ///< in sixteenths of a step
   std::array<std::uint8_t, kSteps + 1> code{};
   SrgbTables() {
-    for (std::size_t i = 0; i < linear.size(); ++i) linear.at(i) = linearFromSrgb(static_cast<float>(i) / 255.0F);
+    for (std::size_t i = 0; i < linear.size(); ++i)
+      linear.at(i) = static_cast<std::uint32_t>(
+          std::lround(linearFromSrgb(static_cast<float>(i) / 255.0F) * static_cast<float>(16 * kSteps)));
     for (std::size_t i = 0; i <= kSteps; ++i)
       code.at(i) = static_cast<std::uint8_t>(
           std::lround(srgbFromLinear(static_cast<float>(i) / static_cast<float>(kSteps)) * 255.0F));
   }
+  [[nodiscard]] std::uint8_t mean(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) const {
+    return code[(linear[a] + linear[b] + linear[c] + linear[d] + 32) / 64];
+  }
 };
+
+std::uint8_t meanOf(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
+  return static_cast<std::uint8_t>((a + b + c + d + 2) / 4);
+}
+std::uint16_t meanOf(std::uint16_t a, std::uint16_t b, std::uint16_t c, std::uint16_t d) {
+  return static_cast<std::uint16_t>((std::uint32_t{a} + b + c + d + 2) / 4);
+}
+float meanOf(float a, float b, float c, float d) { return 0.25F * (a + b + c + d); }
+/// A half's bits are a type of their own.
+struct HalfBits {
+  std::uint16_t bits = 0;
+};
+HalfBits meanOf(HalfBits a, HalfBits b, HalfBits c, HalfBits d) {
+  const float mean = meanOf(glm::unpackHalf1x16(a.bits), glm::unpackHalf1x16(b.bits), glm::unpackHalf1x16(c.bits),
+                            glm::unpackHalf1x16(d.bits));
+  return {glm::packHalf1x16(std::clamp(mean, -kHalfMaximum, kHalfMaximum))};
+}
+
+/// Halves an image of `Channel`s; `mean(c, …)` of channel c's four values. The last row and column of an odd side
+/// count for nothing, those of a side of one twice.
+template <class Channel, class Mean>
+void halve(const Image& image, Image& out, Mean mean) {
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const auto row = static_cast<std::size_t>(image.width) * channels;
+  const std::size_t right = image.width > 1 ? channels : 0, below = image.height > 1 ? row : 0;
+  const auto* from = reinterpret_cast<const Channel*>(image.pixels.data());
+  auto* to = reinterpret_cast<Channel*>(out.pixels.data());
+  for (std::size_t y = 0; y < static_cast<std::size_t>(out.height); ++y) {
+    const Channel* at = from + 2 * y * row;
+    for (std::size_t x = 0; x < static_cast<std::size_t>(out.width); ++x, at += 2 * channels)
+      for (std::size_t c = 0; c < channels; ++c)
+        *to++ = mean(c, at[c], at[c + right], at[c + below], at[c + below + right]);
+  }
+}
 
 }  // namespace
 
 Image halved(const Image& image, bool srgb) {
-  static const SrgbTables kTables;
-  const int width = std::max(1, image.width / 2);
-  const int height = std::max(1, image.height / 2);
-  Image out = emptyLike(image, width, height, image.channels, image.type);
-  const auto channels = static_cast<std::size_t>(image.channels);
-  const bool bytes = image.type == PixelType::U8;
-  const auto* from = reinterpret_cast<const std::uint8_t*>(image.pixels.data());
-  auto* to = reinterpret_cast<std::uint8_t*>(out.pixels.data());
-  std::size_t next = 0;
-  for (int y = 0; y < height; ++y) {
-    const auto row0 =
-        static_cast<std::size_t>(std::min(2 * y, image.height - 1)) * static_cast<std::size_t>(image.width);
-    const auto row1 =
-        static_cast<std::size_t>(std::min(2 * y + 1, image.height - 1)) * static_cast<std::size_t>(image.width);
-    for (int x = 0; x < width; ++x) {
-      const auto x0 = static_cast<std::size_t>(std::min(2 * x, image.width - 1));
-      const auto x1 = static_cast<std::size_t>(std::min(2 * x + 1, image.width - 1));
-      const std::size_t taps[4] = {(row0 + x0) * channels, (row0 + x1) * channels, (row1 + x0) * channels,
-                                   (row1 + x1) * channels};
-      for (std::size_t c = 0; c < channels; ++c, ++next) {
-        const bool decode = srgb && isColourChannel(static_cast<int>(c), image.channels);
-        if (bytes && !decode) {
-          const int sum = from[taps[0] + c] + from[taps[1] + c] + from[taps[2] + c] + from[taps[3] + c];
-          to[next] = static_cast<std::uint8_t>((sum + 2) / 4);
-        } else if (bytes) {
-          float sum = 0.0F;
-          for (const std::size_t tap : taps) sum += kTables.linear[from[tap + c]];
-          to[next] = kTables.code[static_cast<std::size_t>(0.25F * sum * SrgbTables::kSteps + 0.5F)];
-        } else {
-          float sum = 0.0F;
-          for (const std::size_t tap : taps) sum += load(image, tap + c);
-          store(out, next, 0.25F * sum);
-        }
+  Image out = emptyLike(image, std::max(1, image.width / 2), std::max(1, image.height / 2), image.channels, image.type);
+  const auto plain = [](std::size_t, auto a, auto b, auto c, auto d) { return meanOf(a, b, c, d); };
+  switch (image.type) {
+    case PixelType::U8:
+      if (srgb) {
+        static const SrgbTables kTables;
+        const auto colours = static_cast<std::size_t>(image.channels <= 2 ? 1 : 3);
+        halve<std::uint8_t>(image, out, [&](std::size_t channel, auto a, auto b, auto c, auto d) {
+          return channel < colours ? kTables.mean(a, b, c, d) : meanOf(a, b, c, d);
+        });
+      } else {
+        halve<std::uint8_t>(image, out, plain);
       }
-    }
+      break;
+    case PixelType::U16:
+      halve<std::uint16_t>(image, out, plain);
+      break;
+    case PixelType::Half:
+      halve<HalfBits>(image, out, plain);
+      break;
+    case PixelType::Float:
+      halve<float>(image, out, plain);
+      break;
   }
   return out;
 }

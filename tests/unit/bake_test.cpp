@@ -336,10 +336,15 @@ TEST(MeshBake, CacheHoldsWhatWasBaked) {
   options.millimetresPerUnit = model.millimetresPerUnit;
   const auto file = meshBakeFile(model, options);
   ASSERT_TRUE(std::filesystem::exists(file));
-  const auto read = readMeshBake(file, model.positions.size());
+  const auto read = readMeshBake(file, model);
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->vertices, first->vertices);
-  EXPECT_FALSE(readMeshBake(file, model.positions.size() + 1).has_value());
+  EXPECT_EQ(read->solids, std::vector<std::uint8_t>{0});
+  Model larger = model, parted = model;
+  larger.positions.emplace_back(0.0F);
+  EXPECT_FALSE(readMeshBake(file, larger).has_value());
+  parted.parts.emplace_back();
+  EXPECT_FALSE(readMeshBake(file, parted).has_value());
 
   // One bit gone wrong: not taken.
   std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
@@ -348,7 +353,7 @@ TEST(MeshBake, CacheHoldsWhatWasBaked) {
   stream.seekp(500);
   stream.put(static_cast<char>(byte ^ 4));
   stream.close();
-  EXPECT_FALSE(readMeshBake(file, model.positions.size()).has_value());
+  EXPECT_FALSE(readMeshBake(file, model).has_value());
 
   // Another model, another file.
   Model moved = model;

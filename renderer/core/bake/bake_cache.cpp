@@ -19,19 +19,21 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSuffix = ".dermismesh";
 
-/// In front of the vertices. Plain values of one machine's byte order: a cache doesn't travel.
+/// In front of the vertices and the parts. Plain values of one machine's byte order: a cache doesn't travel.
 struct Header {
   std::array<char, 8> magic;
   std::uint32_t version, bytesPerVertex;
-  std::uint64_t vertices, hash;
+  std::uint64_t vertices, parts, hash;
 };
-constexpr std::array<char, 8> kMagic = {'D', 'R', 'M', 'S', 'M', 'S', 'H', '1'};
+constexpr std::array<char, 8> kMagic = {'D', 'R', 'M', 'S', 'M', 'S', 'H', '2'};
 static_assert(sizeof(VertexBake) == 28 * sizeof(float));
 
 template <class T>
 std::uint64_t hashed(const std::vector<T>& values, std::uint64_t seed) {
   return XXH3_64bits_withSeed(values.data(), values.size() * sizeof(T), seed);
 }
+
+std::uint64_t hashOf(const MeshBake& bake) { return hashed(bake.solids, hashed(bake.vertices, 0)); }
 
 }  // namespace
 
@@ -51,18 +53,22 @@ fs::path meshBakeFile(const Model& model, const MeshBakeOptions& options) {
   return options.cacheFolder / (hexadecimal(hash) + kSuffix);
 }
 
-std::optional<MeshBake> readMeshBake(const fs::path& file, std::size_t vertexCount) {
+std::optional<MeshBake> readMeshBake(const fs::path& file, const Model& model) {
   std::ifstream stream(file, std::ios::binary);
   Header header{};
   if (!stream.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;
   if (header.magic != kMagic || header.version != kMeshBakeVersion || header.bytesPerVertex != sizeof(VertexBake) ||
-      header.vertices != vertexCount)
+      header.vertices != model.positions.size() || header.parts != model.parts.size())
     return std::nullopt;
   MeshBake bake;
-  bake.vertices.resize(vertexCount);
-  const auto bytes = static_cast<std::streamsize>(vertexCount * sizeof(VertexBake));
-  if (!stream.read(reinterpret_cast<char*>(bake.vertices.data()), bytes) || stream.peek() != EOF) return std::nullopt;
-  if (hashed(bake.vertices, 0) != header.hash) return std::nullopt;
+  bake.vertices.resize(model.positions.size());
+  bake.solids.resize(model.parts.size());
+  const auto bytes = static_cast<std::streamsize>(bake.vertices.size() * sizeof(VertexBake));
+  if (!stream.read(reinterpret_cast<char*>(bake.vertices.data()), bytes) ||
+      !stream.read(reinterpret_cast<char*>(bake.solids.data()), static_cast<std::streamsize>(bake.solids.size())) ||
+      stream.peek() != EOF)
+    return std::nullopt;
+  if (hashOf(bake) != header.hash) return std::nullopt;
   // The time of last use, for trimDiskCache().
   std::error_code ignored;
   fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
@@ -73,12 +79,14 @@ bool writeMeshBake(const fs::path& file, const MeshBake& bake) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) return false;
-  const Header header = {kMagic, kMeshBakeVersion, sizeof(VertexBake), bake.vertices.size(), hashed(bake.vertices, 0)};
+  const Header header = {kMagic,      kMeshBakeVersion, sizeof(VertexBake), bake.vertices.size(), bake.solids.size(),
+                         hashOf(bake)};
   const Result<void> written = replaceFileAtomically(file, [&](const fs::path& temporary) -> Result<void> {
     std::ofstream stream(temporary, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(&header), sizeof header);
     stream.write(reinterpret_cast<const char*>(bake.vertices.data()),
                  static_cast<std::streamsize>(bake.vertices.size() * sizeof(VertexBake)));
+    stream.write(reinterpret_cast<const char*>(bake.solids.data()), static_cast<std::streamsize>(bake.solids.size()));
     stream.close();
     if (!stream) return runtimeError("the cache file can't be written");
     return {};

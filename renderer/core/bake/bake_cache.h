@@ -11,8 +11,8 @@ namespace dermis {
 /// Where the bake of this model is kept: positions, normals, triangles, what stops light, the unit, ray counts and
 /// kMeshBakeVersion name it.
 [[nodiscard]] std::filesystem::path meshBakeFile(const Model& model, const MeshBakeOptions& options);
-/// Empty where there is none, or it isn't whole, or not of `vertexCount` vertices.
-[[nodiscard]] std::optional<MeshBake> readMeshBake(const std::filesystem::path& file, std::size_t vertexCount);
+/// Empty where there is none, or it isn't whole, or not of as many vertices and parts as the model.
+[[nodiscard]] std::optional<MeshBake> readMeshBake(const std::filesystem::path& file, const Model& model);
 /// False where it can't be written: then nothing is cached.
 bool writeMeshBake(const std::filesystem::path& file, const MeshBake& bake);
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include "core/bake/bake_cache.h"
 #include "core/bake/bake_points.h"
 #include "core/bake/parallel.h"
 #include "core/bake/point_bake.h"
 #include "core/bake/ray_scene.h"
+#include "core/scene/pieces.h"
 
 namespace dermis {
 namespace {
@@ -109,6 +111,9 @@ std::optional<MeshBake> bake(const Model& model, const RayScene& scene, const Me
     std::copy_n(far[point].begin(), 9, made.vertices[v].farSky.begin());
     made.vertices[v].thicknessMm = far[point][9];
   }
+  for (const ModelPart& part : model.parts)
+    made.solids.push_back(
+        boundsSolids(model.positions, std::span(model.indices).subspan(part.firstIndex, part.indexCount)) ? 1 : 0);
   return made;
 }
 
@@ -118,8 +123,7 @@ Result<std::shared_ptr<const MeshBake>> bakeMesh(const Model& model, const MeshB
   const bool cached = !options.cacheFolder.empty();
   const std::filesystem::path file = cached ? meshBakeFile(model, options) : std::filesystem::path();
   if (cached)
-    if (auto known = readMeshBake(file, model.positions.size()))
-      return std::make_shared<const MeshBake>(std::move(*known));
+    if (auto known = readMeshBake(file, model)) return std::make_shared<const MeshBake>(std::move(*known));
 
   const Result<RayScene> scene = RayScene::create(model, options.castingSlots);
   if (!scene) return tl::unexpected(scene.error());

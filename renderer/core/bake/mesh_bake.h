@@ -29,9 +29,10 @@ struct VertexBake {
   bool operator==(const VertexBake&) const = default;
 };
 
-/// Parallel to Model::positions; immutable once made.
+/// Immutable once made.
 struct MeshBake {
-  std::vector<VertexBake> vertices;
+  std::vector<VertexBake> vertices;  ///< parallel to Model::positions
+  std::vector<std::uint8_t> solids;  ///< parallel to Model::parts: 1 where a part bounds solids (core/scene/pieces.h)
 };
 
 /// Material that no ray left counts as this thick, and nothing counts as thicker: the hard limit of
@@ -52,7 +53,7 @@ struct MeshBakeOptions {
 };
 
 /// Changes whenever the same model would give other numbers; part of the cache's key.
-inline constexpr std::uint32_t kMeshBakeVersion = 3;
+inline constexpr std::uint32_t kMeshBakeVersion = 4;
 
 /// Reads the cache or bakes (and writes the cache). The same model gives the same bytes, however many cores there are.
 /// Errors: Cancelled; Runtime (Embree).

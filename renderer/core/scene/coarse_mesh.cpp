@@ -3,7 +3,9 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
-#include <numeric>
+#include <span>
+
+#include "core/scene/pieces.h"
 
 namespace dermis {
 namespace {
@@ -34,26 +36,11 @@ float simplify(const Model& model, const Run& vertices, std::vector<std::uint32_
 /// Whether a part is made of pieces that don't hang together, of few triangles each.
 bool isManyPieces(const Model& model, const Run& vertices, const std::vector<std::uint32_t>& indices) {
   constexpr std::size_t kFewTriangles = 256;
-  // Vertices at one place are one point, whatever else sets them apart.
-  std::vector<unsigned> point(vertices.count);
-  const std::size_t points = meshopt_generateVertexRemap(
-      point.data(), nullptr, vertices.count, &model.positions[vertices.first], vertices.count, sizeof(glm::vec3));
-  std::vector<unsigned> parent(points);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](unsigned of) {
-    while (parent[of] != of) of = parent[of] = parent[parent[of]];
-    return of;
-  };
-  std::vector<char> used(points, 0);
-  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-    const unsigned a = point[indices[i]], b = point[indices[i + 1]], c = point[indices[i + 2]];
-    parent[root(a)] = root(b);
-    parent[root(b)] = root(c);
-    used[a] = used[b] = used[c] = 1;
-  }
-  std::size_t pieces = 0;
-  for (unsigned i = 0; i < points; ++i) pieces += used[i] != 0 && root(i) == i ? 1 : 0;
-  return pieces > 16 && indices.size() / 3 < kFewTriangles * pieces;
+  const Pieces pieces = piecesOf(std::span(model.positions).subspan(vertices.first, vertices.count), indices);
+  std::vector<char> used(pieces.piece.size(), 0);
+  for (const std::uint32_t index : indices) used[pieces.piece[pieces.point[index]]] = 1;
+  const auto count = static_cast<std::size_t>(std::ranges::count(used, 1));
+  return count > 16 && indices.size() / 3 < kFewTriangles * count;
 }
 
 Run verticesOf(const std::uint32_t* indices, std::size_t count) {

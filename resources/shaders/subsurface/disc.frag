@@ -10,7 +10,7 @@
 #include "subsurface/surface_points.glsl"
 
 #ifndef DERMIS_SAMPLES
-#define DERMIS_SAMPLES 24
+#define DERMIS_SAMPLES 16
 #endif
 const float kTwoPi = 6.28318530717958648;
 // One step of the golden angle, as a rotation.
@@ -32,14 +32,17 @@ void main() {
   float extent = direct.w, tolerance = u_profile_boundary[profile].w;
   vec3 p = worldAt(gl_FragCoord.xy, depth);
   vec3 normal = fromOctahedron(geometry.xy);
-  vec3 view = towardsViewer(p);
   vec3 along, across;
   tangentFrame(normal, along, across);
   float unit = 1.0 / u_units.x;  // a millimetre in scene units
   vec3 clip = clipOf(vec4(p, 1.0));
   vec3 clip_along = clipOf(vec4(along * unit, 0.0)), clip_across = clipOf(vec4(across * unit, 0.0));
-  float facing = max(abs(dot(normal, view)), 0.05);
   bool orthographic = u_camera_position.w > 0.5;
+  // The tangent plane lies as far from the camera everywhere; a place on it at p + step has the squared distance t2 of the camera.
+  vec3 from_viewer = orthographic ? u_camera_forward.xyz : p - u_camera_position.xyz;
+  float plane = max(abs(dot(normal, from_viewer)), orthographic ? 0.05 : 1e-12);
+  float p2 = dot(from_viewer, from_viewer);
+  vec2 p2_step = 2.0 * unit * vec2(dot(along, from_viewer), dot(across, from_viewer));
 
   // Each pixel turns the pattern and shifts its radii; each sample of the picture does so again.
   float turn = kTwoPi * fract(gradientNoise(gl_FragCoord.xy) + u_random.x);
@@ -55,47 +58,47 @@ void main() {
     vec2 offset = r * direction;
     vec3 clip_t = clip + offset.x * clip_along + offset.y * clip_across;
     vec2 screen = screenOf(clip_t);
-    ivec2 there = ivec2(floor(screen));
-    bool inside = clip_t.z > 0.0 && all(greaterThanEqual(screen, vec2(0.0))) && all(lessThan(screen, u_viewport.xy));
-    there = clamp(there, ivec2(0), ivec2(u_viewport.xy) - 1);
+    vec2 pixel_t = clamp(floor(screen), vec2(0.0), u_viewport.xy - 1.0);
+    ivec2 there = ivec2(pixel_t);
     vec4 other = texelFetch(u_entering, there, 0);
-    vec4 other_geometry = texelFetch(u_geometry, there, 0);
+    vec3 other_geometry = texelFetch(u_geometry, there, 0).xyz;
     float other_depth = texelFetch(u_depth, there, 0).r;
-    if (!inside || other_depth <= 0.0) continue;
+    bool counts = other_depth > 0.0 && clip_t.z > 0.0 && all(lessThan(abs(screen - pixel_t - 0.5), vec2(0.5001)));
 
-    // The surface at that very place, by the tangent plane of its pixel's centre.
+    // The surface at that very place, by the tangent plane of its pixel's centre: from where the ray meets the centre's depth along the
+    // ray to the plane.
     vec3 other_normal = fromOctahedron(other_geometry.xy);
-    vec3 centre = worldAt(vec2(there) + 0.5, other_depth);
-    vec3 step_there = worldStep(screen - vec2(there) - 0.5, other_depth);
-    vec3 other_view = towardsViewer(centre + step_there);
-    float other_facing = dot(other_normal, other_view);
-    other_facing = other_facing < 0.0 ? min(other_facing, -0.05) : max(other_facing, 0.05);
-    vec3 q = centre + step_there - other_view * (dot(other_normal, step_there) / other_facing);
+    vec2 in_pixel = screen - pixel_t - 0.5;
+    vec3 step_there = worldStep(in_pixel, other_depth);
+    vec3 at_depth = worldAt(pixel_t + 0.5, other_depth) + step_there;
+    vec3 ray = orthographic ? u_camera_forward.xyz : at_depth - u_camera_position.xyz;
+    float ray2 = dot(ray, ray), towards = dot(other_normal, ray);
+    float least = 0.05 * sqrt(ray2);
+    float onwards = -dot(other_normal, step_there) / (towards > 0.0 ? max(towards, least) : min(towards, -least));
+    vec3 chord = at_depth + onwards * ray - p;
 
     // On an evenly curved surface the chord meets both normals at the same angle.
-    vec3 chord = q - p;
-    float distance_mm = length(chord) * u_units.x;
+    float chord2 = dot(chord, chord);
+    float distance_mm = max(sqrt(chord2) * u_units.x, 1e-9);
     float height_mm = 0.5 * dot(normal + other_normal, chord) * u_units.x;
     float together = belongsTogether(height_mm, distance_mm, tolerance);
-    vec3 t = p + unit * (offset.x * along + offset.y * across);
-    float area = facing / abs(other_facing);
-    if (!orthographic) {
-      vec3 to_q = q - u_camera_position.xyz, to_t = t - u_camera_position.xyz;
-      float facing_t = max(abs(dot(normal, to_t)), 1e-12), facing_q = max(abs(dot(other_normal, to_q)), 1e-12);
-      float q2 = dot(to_q, to_q), t2 = dot(to_t, to_t);
+    float area;
+    if (orthographic) {
+      area = plane / max(abs(towards), 0.05);
+    } else {
       // cos/distance² of the plane over that of the surface.
-      area = facing_t * q2 * sqrt(q2) / (facing_q * t2 * sqrt(t2));
+      float further = 1.0 + onwards;
+      float ratio = further * further * ray2 / (p2 + dot(offset, p2_step) + r * r * unit * unit);
+      area = plane / max(abs(further * towards), 1e-12) * ratio * sqrt(ratio);
     }
     // Before it is divided by the sum, a sample weighs R(distance) · area / pdf(r).
-    distance_mm = max(distance_mm, 1e-9);
     vec3 weight = radiusTimesDensity(distance_mm, extent, profile) * (drawn.y * r / distance_mm * together * min(area, 8.0));
-    if (int(other_geometry.z + 0.5) == id) {
-      weight *= other.a;
-      light += weight * other.rgb;
-      found += weight;
-    } else {
-      beyond += weight;
-    }
+    weight = counts ? weight : vec3(0.0);
+    bool same = int(other_geometry.z + 0.5) == id;
+    beyond += same ? vec3(0.0) : weight;
+    weight *= same ? other.a : 0.0;
+    light += weight * other.rgb;
+    found += weight;
   }
 
   vec3 share = found / max(found + beyond, vec3(1e-20));

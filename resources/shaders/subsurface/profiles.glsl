@@ -14,25 +14,23 @@ layout(std140, binding = 4) uniform ProfileBlock {
   vec4 u_profile_cells[kMaxProfiles * (kSideTaps + 2)];
 };
 
-// Row: profile. Texel i: rgb r·R(r) at r = radius · (i/(size − 1))⁴; a the radius within which i/(size − 1) of the mean of the three leaves.
+// Two rows a profile. Texel i of the first: rgb r·R(r) at r = radius · (i/(size − 1))⁴. Of the second: x the radius within which
+// i/(size − 1) of the mean of the three leaves, y how much larger the next one is.
 layout(binding = 26) uniform sampler2D u_profile_table;
 
-// r · R(r) of a profile that reaches as far as `extent`.
+// r · R(r) of a profile that reaches as far as `extent`, at the nearest radius of the table: within half a texel of r, which is 0.2 % of r
+// where most of the light leaves, as often above it as below.
 vec3 radiusTimesDensity(float r, float extent, int profile) {
-  float at = sqrt(sqrt(r / max(extent, 1e-12))) * float(kTableSize - 1);
-  int low = min(int(at), kTableSize - 2);
-  vec3 a = texelFetch(u_profile_table, ivec2(low, profile), 0).rgb;
-  vec3 b = texelFetch(u_profile_table, ivec2(low + 1, profile), 0).rgb;
-  return at < float(kTableSize - 1) ? mix(a, b, at - float(low)) : vec3(0.0);
+  int at = int(sqrt(sqrt(r / max(extent, 1e-12))) * float(kTableSize - 1) + 0.5);
+  return at < kTableSize ? texelFetch(u_profile_table, ivec2(at, 2 * profile), 0).rgb : vec3(0.0);
 }
 
 // A radius drawn with the random number u of 0..1, and one over r · pdf(r), its density over the plane.
 vec2 drawnRadius(float u, int profile) {
   float at = u * float(kTableSize - 1);
   int low = min(int(at), kTableSize - 2);
-  float a = texelFetch(u_profile_table, ivec2(low, profile), 0).a;
-  float b = texelFetch(u_profile_table, ivec2(low + 1, profile), 0).a;
-  return vec2(mix(a, b, at - float(low)), 6.28318530717958648 * (b - a) * float(kTableSize - 1));
+  vec2 radius = texelFetch(u_profile_table, ivec2(low, 2 * profile + 1), 0).xy;
+  return vec2(radius.x + radius.y * (at - float(low)), 6.28318530717958648 * radius.y * float(kTableSize - 1));
 }
 
 // How much of the light from a surface point counts that lies `height` away from where a flat, or evenly curved, surface would have it:
