@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <mutex>
 #include <optional>
+#include <span>
 
 #include "colour/ocio_config.h"
 #include "colour/simple_curves.h"
+#include "core/builtin/image_cache.h"
 #include "renderer.h"
 
 namespace dermis {
@@ -125,7 +128,7 @@ class OcioTransform final : public DisplayTransform {
   }
 
   const DisplayLut& lut() const override {
-    std::call_once(m_lutOnce, [this] { bake(); });
+    std::call_once(m_lutOnce, [this] { prepareLut(); });
     return m_lut;
   }
 
@@ -135,26 +138,42 @@ class OcioTransform final : public DisplayTransform {
   }
 
  private:
-  void bake() const {
+  /// Baked, or what an earlier program baked of the same operations.
+  void prepareLut() const {
+    // Named by all that the numbers come from.
+    const ImageKey key{
+        1, fmt::format("view {} {} {} {} {}", OCIO::GetVersion(), m_cpu->getCacheID(), kLutEdge, kToe, kPeak)};
+    std::optional<Image> kept = readCachedImage(key, m_view);
+    const bool isWhole = kept && kept->width == kLutEdge && kept->height == kLutEdge * kLutEdge &&
+                         kept->channels == 3 && kept->type == PixelType::Float;
+    if (!isWhole) {
+      kept = bakedLut();
+      writeCachedImage(key, *kept);
+    }
+    m_lut.edge = kLutEdge;
+    m_lut.rgb.resize(kept->pixels.size() / sizeof(float));
+    std::memcpy(m_lut.rgb.data(), kept->pixels.data(), kept->pixels.size());
+  }
+
+  [[nodiscard]] Image bakedLut() const {
     constexpr auto kEdge = static_cast<std::size_t>(kLutEdge);
     std::vector<float> axis(kEdge);
     for (std::size_t i = 0; i < kEdge; ++i) axis[i] = shaped(static_cast<float>(i) / static_cast<float>(kEdge - 1));
-    std::vector<float> rgba(4 * kEdge * kEdge * kEdge, 1.0F);
-    float* texel = rgba.data();
+    std::vector<float> rgb;
+    rgb.reserve(3 * kEdge * kEdge * kEdge);
     for (const float blue : axis)
       for (const float green : axis)
-        for (const float red : axis) {
-          texel[0] = red;
-          texel[1] = green;
-          texel[2] = blue;
-          texel += 4;
-        }
-    apply(rgba.data(), rgba.size() / 4);
-    m_lut.edge = kLutEdge;
-    m_lut.rgb.reserve(rgba.size() / 4 * 3);
-    for (std::size_t i = 0; i < rgba.size(); i += 4)
-      m_lut.rgb.insert(m_lut.rgb.end(), rgba.begin() + static_cast<std::ptrdiff_t>(i),
-                       rgba.begin() + static_cast<std::ptrdiff_t>(i) + 3);
+        for (const float red : axis) rgb.insert(rgb.end(), {red, green, blue});
+    OCIO::PackedImageDesc packed(rgb.data(), static_cast<long>(kEdge * kEdge * kEdge), 1, 3);
+    m_cpu->apply(packed);
+    Image image;
+    image.width = kLutEdge;
+    image.height = kLutEdge * kLutEdge;
+    image.channels = 3;
+    image.type = PixelType::Float;
+    const auto bytes = std::as_bytes(std::span(rgb));
+    image.pixels.assign(bytes.begin(), bytes.end());
+    return image;
   }
 
   std::string m_display, m_view;

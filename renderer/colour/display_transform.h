@@ -55,7 +55,8 @@ class DisplayTransform {
 
   /// The exact program.
   [[nodiscard]] virtual const DisplayProgram& exactProgram() const = 0;
-  /// The baked one; baked at the first call (about 0.03 s), empty where isSimple().
+  /// The baked one; baked at the first call (about 0.03 s) unless an earlier program left it in the user's cache; empty
+  /// where isSimple().
   [[nodiscard]] virtual const DisplayLut& lut() const = 0;
   /// The exact transform on the CPU, in place: `count` RGBA pixels, alpha untouched. Safe from any thread.
   virtual void apply(float* rgba, std::size_t count) const = 0;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/gtc/packing.hpp>
 #include <span>
+
+#include "core/base/half.h"
 
 namespace dermis {
 
@@ -22,11 +23,11 @@ constexpr std::size_t kThicknessAt = 9, kFarAt = 10, kBounceAt = 19;
 BakedVertex packed(const VertexBake& bake) {
   BakedVertex halves{};
   for (std::size_t i = 0; i < 9; ++i) {
-    halves[i] = glm::packHalf1x16(bake.hiddenSky[i]);
-    halves[kFarAt + i] = glm::packHalf1x16(bake.farSky[i]);
-    halves[kBounceAt + i] = glm::packHalf1x16(bake.bounce[i]);
+    halves[i] = halfOf(bake.hiddenSky[i]);
+    halves[kFarAt + i] = halfOf(bake.farSky[i]);
+    halves[kBounceAt + i] = halfOf(bake.bounce[i]);
   }
-  halves[kThicknessAt] = glm::packHalf1x16(bake.thicknessMm);
+  halves[kThicknessAt] = halfOf(bake.thicknessMm);
   return halves;
 }
 

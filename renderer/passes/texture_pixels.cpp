@@ -6,6 +6,8 @@
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
+#include "core/base/half.h"
+
 namespace dermis {
 
 namespace {
@@ -58,7 +60,7 @@ void store(Image& image, std::size_t index, float value) {
       break;
     }
     case PixelType::Half: {
-      const std::uint16_t bits = glm::packHalf1x16(std::clamp(value, -kHalfMaximum, kHalfMaximum));
+      const std::uint16_t bits = halfOf(std::clamp(value, -kHalfMaximum, kHalfMaximum));
       std::memcpy(at, &bits, sizeof bits);
       break;
     }
@@ -241,7 +243,7 @@ struct HalfBits {
 HalfBits meanOf(HalfBits a, HalfBits b, HalfBits c, HalfBits d) {
   const float mean = meanOf(glm::unpackHalf1x16(a.bits), glm::unpackHalf1x16(b.bits), glm::unpackHalf1x16(c.bits),
                             glm::unpackHalf1x16(d.bits));
-  return {glm::packHalf1x16(std::clamp(mean, -kHalfMaximum, kHalfMaximum))};
+  return {halfOf(std::clamp(mean, -kHalfMaximum, kHalfMaximum))};
 }
 
 /// Halves an image of `Channel`s; `mean(c, …)` of channel c's four values. The last row and column of an odd side

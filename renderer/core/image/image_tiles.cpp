@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 
+#include "core/base/half.h"
 #include "core/image/comparison.h"
 
 namespace dermis {
@@ -25,7 +25,7 @@ void store(Image& image, std::size_t index, float value) {
       word = static_cast<std::uint16_t>(std::lround(value * 65535.0F));
       break;
     case PixelType::Half:
-      word = glm::packHalf1x16(value);
+      word = halfOf(value);
       break;
     case PixelType::Float:
       std::memcpy(at, &value, sizeof value);
