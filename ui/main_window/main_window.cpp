@@ -31,6 +31,7 @@
 #include "ui/main_window/dropped_files.h"
 #include "ui/main_window/exports.h"
 #include "ui/main_window/file_actions.h"
+#include "ui/main_window/keep_on_screen.h"
 #include "ui/main_window/message_bar.h"
 #include "ui/main_window/model_unit_bar.h"
 #include "ui/main_window/picture_scenes.h"
@@ -259,6 +260,13 @@ void MainWindow::refreshLengths() {
                         static_cast<double>(m_document.millimetresPerUnit());
   m_about->setText(
       tr("%1 triangles   ·   %2 tall").arg(groupedNumber(model.indices.size() / 3)).arg(lengthText(height, unit)));
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // What a window manager's frame adds is known a moment later; the status bar must not lie below the screen.
+  constexpr int kFrameIsThereMs = 100;
+  if (!event->spontaneous()) QTimer::singleShot(kFrameIsThereMs, this, [this] { keepOnScreen(*this); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -65,6 +65,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] MessageBar* messageBar() const { return m_messages; }
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
