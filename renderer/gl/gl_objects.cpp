@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace dermis::gl {
 
@@ -253,8 +254,8 @@ void Framebuffer::attachDepth(const Texture& texture) const {
 }
 
 void Framebuffer::drawTo(int count) const {
-  std::vector<GLenum> attachments;
-  for (int i = 0; i < count; ++i) attachments.push_back(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i));
+  std::vector<GLenum> attachments(static_cast<std::size_t>(count));
+  std::iota(attachments.begin(), attachments.end(), GLenum{GL_COLOR_ATTACHMENT0});
   drawTo(attachments);
 }
 

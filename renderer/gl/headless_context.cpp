@@ -41,7 +41,7 @@ EGLContext makeContext(EGLDisplay display, std::string& reason) {
                                             EGL_CONTEXT_OPENGL_DEBUG,
                                             EGL_TRUE,
                                             EGL_NONE};
-  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+  EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
   if (context == EGL_NO_CONTEXT) {
     reason = "the driver has no OpenGL 4.5 core";
     return EGL_NO_CONTEXT;
@@ -64,7 +64,7 @@ Result<std::unique_ptr<HeadlessContext>> HeadlessContext::create() {
   const auto attempt = [&](EGLDisplay display, const char* platform) {
     if (display == EGL_NO_DISPLAY) return false;
     std::string why;
-    const EGLContext context = makeContext(display, why);
+    EGLContext context = makeContext(display, why);
     if (context == EGL_NO_CONTEXT) {
       reason = std::string(platform) + ": " + why;
       return false;

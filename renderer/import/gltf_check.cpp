@@ -278,8 +278,7 @@ class Rewriter {
       const std::string at = fmt::format("/skins/{}", i);
       json out = {{"joints", json::array()}};
       const json& joints = list(skin, "joints", at);
-      for (std::size_t j = 0; j < joints.size(); ++j)
-        out["joints"].push_back(asIndex(joints[j], "nodes", at + "/joints"));
+      for (const json& joint : joints) out["joints"].push_back(asIndex(joint, "nodes", at + "/joints"));
       if (joints.empty()) throw GltfError(at + " has no joints");
       if (skin.contains("inverseBindMatrices")) {
         const std::size_t accessor = index(skin, "inverseBindMatrices", "accessors", at);

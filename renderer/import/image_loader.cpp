@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -172,7 +173,9 @@ Result<Image> readWhole(const ImageSource& source, const Layout& layout, PixelTy
 Result<Image> readReduced(const ImageSource& source, const Layout& layout, PixelType type, int maximumSize,
                           const std::stop_token& stop) {
   const double factor = static_cast<double>(maximumSize) / std::max(layout.width, layout.height);
-  const auto side = [&](int n) { return std::clamp(static_cast<int>(n * factor + 0.5), 1, std::min(n, maximumSize)); };
+  const auto side = [&](int n) {
+    return std::clamp(static_cast<int>(std::lround(n * factor)), 1, std::min(n, maximumSize));
+  };
   Image image{side(layout.width), side(layout.height), layout.channels, type, {}, source.name()};
   image.pixels.reserve(image.rowBytes() * static_cast<std::size_t>(image.height));
   RowReducer reducer(layout.width, layout.height, image.width, image.height, layout.channels,

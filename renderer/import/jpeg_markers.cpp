@@ -8,7 +8,7 @@
 namespace dermis::import {
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 constexpr std::string_view kTag = "dermis-metadata\0"sv;
 constexpr std::size_t kLargestPart = 60000;

@@ -42,7 +42,7 @@ std::string headerFault(std::string_view data) {
     return fmt::format("the image has {} x {} pixels, so there is nothing to show", width, height);
   if (width > kLargestSide || height > kLargestSide)
     return fmt::format("the header says {} x {} pixels, past the limit of {} a side", width, height, kLargestSide);
-  const int depth = data[8], type = data[9];
+  const int depth = static_cast<unsigned char>(data[8]), type = static_cast<unsigned char>(data[9]);
   const bool small = depth == 1 || depth == 2 || depth == 4;
   const bool good = type == 0   ? small || depth == 8 || depth == 16
                     : type == 3 ? small || depth == 8
@@ -88,7 +88,7 @@ Result<std::string> checkedPng(std::string_view bytes, const std::string& name, 
     bool keep = false;
     if (type == "IHDR") {
       if (const std::string fault = headerFault(data); !fault.empty()) return damaged(fault);
-      colourType = data[9];
+      colourType = static_cast<unsigned char>(data[9]);
       keep = true;
     } else if (type == "PLTE") {
       keep = palette == 0 && pixels == Pixels::None && length % 3 == 0 && length >= 3 && length <= 768 &&

@@ -85,10 +85,10 @@ DfgValue dfgQuadrature(DfgGeometry geometry, double cosine, double perceptualRou
         const double hy = t1;
         const double hz = stretchedX * t2 + stretchedZ * t3;
         double nx = alpha * hx;
-        double ny = alpha * hy;
+        const double ny = alpha * hy;
         double nz = std::max(0.0, hz);
         const double inverse = 1.0 / std::sqrt(nx * nx + ny * ny + nz * nz);
-        nx *= inverse, ny *= inverse, nz *= inverse;
+        nx *= inverse, nz *= inverse;
         const double vh = std::max(0.0, sine * nx + cosine * nz);
         const double nl = 2.0 * vh * nz - cosine;
         if (nl <= 0.0) continue;

@@ -139,14 +139,15 @@ Cubes sharpCubes(const RadianceMap& map, int faceSize) {
 
 /// All nodes but the first, which is the sharp cube at the size of level 0.
 Cubes prefilteredCubes(const RadianceMap& map, const RadianceTree& tree, const Cubes& sharp, int faceSize,
-                       std::stop_token stop, const std::function<void(float)>& progress) {
+                       const std::stop_token& stop, const std::function<void(float)>& progress) {
   const auto roughnesses = prefilterRoughnesses();
   Cubes cubes;
   cubes.shape = {faceSize, kPrefilterLayers, kPrefilterLevels, {}};
   for (int l = 0; l < kPrefilterLevels; ++l) {
     std::vector<float> alphas;
     for (int k = l == 0 ? 1 : 0; k < kPrefilterLayers; ++k) {
-      const float r = roughnesses[static_cast<std::size_t>(l * kPrefilterLayers + k)];
+      const int node = l * kPrefilterLayers + k;
+      const float r = roughnesses[static_cast<std::size_t>(node)];
       alphas.push_back(r * r);
     }
     // The first level is nine tenths of the work.
@@ -172,7 +173,7 @@ std::string cleanedSentence(const std::string& name, const CleanedTexels& cleane
 }
 
 Result<std::shared_ptr<BakedEnvironment>> bake(const EnvironmentImages& images, const EnvironmentBakeOptions& options,
-                                               std::stop_token stop, BakeProgress* progress) {
+                                               const std::stop_token& stop, BakeProgress* progress) {
   const auto report = [&](float f) {
     if (progress != nullptr) progress->store(f);
   };
@@ -224,7 +225,7 @@ Result<std::shared_ptr<BakedEnvironment>> bake(const EnvironmentImages& images, 
 
 Result<std::shared_ptr<const BakedEnvironment>> bakeEnvironment(const EnvironmentImages& images,
                                                                 const EnvironmentBakeOptions& options,
-                                                                std::stop_token stop, BakeProgress* progress) {
+                                                                const std::stop_token& stop, BakeProgress* progress) {
   Stopwatch watch;
   const bool isConstant = !images.latLong && !images.faces[0];
   // Without a hash there is no name to find it again by, and a constant is quicker made than read.

@@ -60,7 +60,7 @@ inline constexpr std::uint32_t kEnvironmentBakeVersion = 2;
 /// Reads the cache or bakes (and writes the cache). Errors: Cancelled.
 [[nodiscard]] Result<std::shared_ptr<const BakedEnvironment>> bakeEnvironment(const EnvironmentImages& images,
                                                                               const EnvironmentBakeOptions& options,
-                                                                              std::stop_token stop = {},
+                                                                              const std::stop_token& stop = {},
                                                                               BakeProgress* progress = nullptr);
 
 }  // namespace dermis

@@ -41,7 +41,8 @@ glm::vec3 linearRec709(const Lab& lab) {
 
 glm::vec2 ReferenceLayout::patch(int index) const {
   const auto column = static_cast<float>(index % kColumns);
-  const auto row = static_cast<float>(kRows - 1 - index / kColumns);
+  const int line = index / kColumns;
+  const auto row = static_cast<float>(kRows - 1 - line);
   return chart + cell * (glm::vec2(column, row) + 0.5F);
 }
 

@@ -174,6 +174,7 @@ TEST(MeshBake, WallSendsOnWhatItReceives) {
   // dy.
   std::vector<Harmonics<double>> received;
   const int steps = 60;
+  received.reserve(steps);
   for (int i = 0; i < steps; ++i) received.push_back(receivedByWall(height * (i + 0.5) / steps, depth));
   for (const int cell : {4, 10, 20}) {
     const double d = depth * cell / kCells;
@@ -183,7 +184,8 @@ TEST(MeshBake, WallSendsOnWhatItReceives) {
       const double share = d * y / (2.0 * std::pow(d * d + y * y, 1.5)) * height / steps;
       for (std::size_t k = 0; k < 9; ++k) expected[k] += share * received[static_cast<std::size_t>(i)][k];
     }
-    const VertexBake& vertex = bake->vertices[static_cast<std::size_t>(20 * (kCells + 1) + cell)];
+    const int place = 20 * (kCells + 1) + cell;
+    const VertexBake& vertex = bake->vertices[static_cast<std::size_t>(place)];
     for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(vertex.bounce[k], expected[k], 0.002) << "z " << d << ", " << k;
   }
 }

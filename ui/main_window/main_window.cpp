@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -266,7 +267,14 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   // What a window manager's frame adds is known a moment later; the status bar must not lie below the screen.
   constexpr int kFrameIsThereMs = 100;
-  if (!event->spontaneous()) QTimer::singleShot(kFrameIsThereMs, this, [this] { keepOnScreen(*this); });
+  if (event->spontaneous()) return;
+  auto* timer = new QTimer(this);
+  timer->setSingleShot(true);
+  connect(timer, &QTimer::timeout, this, [this, timer] {
+    timer->deleteLater();
+    keepOnScreen(*this);
+  });
+  timer->start(kFrameIsThereMs);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

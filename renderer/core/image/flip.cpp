@@ -76,7 +76,8 @@ Plane convolved(const Plane& in, const Extent& e, const Kernel& kernel, bool alo
       double sum = 0.0;
       for (int k = -radius; k <= radius; ++k) {
         const auto from = static_cast<std::size_t>(std::clamp(position + k, 0, length - 1));
-        sum += kernel[static_cast<std::size_t>(k + radius)] * static_cast<double>(in[first + from * step]);
+        const int tap = k + radius;
+        sum += kernel[static_cast<std::size_t>(tap)] * static_cast<double>(in[first + from * step]);
       }
       out[at] = static_cast<float>(sum);
     }

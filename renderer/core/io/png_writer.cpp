@@ -58,6 +58,7 @@ Result<void> writePng(const std::filesystem::path& path, const Image& image,
   if (image.isFloatingPoint())
     return runtimeError(path.string() + " cannot be written: PNG holds no floating-point values; write EXR");
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(image.height));
   for (int y = 0; y < image.height; ++y)
     rows.push_back(std::bit_cast<png_bytep>(
         const_cast<std::byte*>(image.pixels.data() + static_cast<std::size_t>(y) * image.rowBytes())));

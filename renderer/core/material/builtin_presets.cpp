@@ -36,6 +36,7 @@ const std::vector<BuiltinPreset>& builtinPresets() {
     }
     std::ranges::sort(rows, {}, &Row::order);
     std::vector<BuiltinPreset> presets;
+    presets.reserve(rows.size());
     for (Row& row : rows) presets.push_back(std::move(row.preset));
     return presets;
   }();

@@ -59,7 +59,7 @@ Json valueSchema(const ParameterRow& row) {
   const auto array = [](const Json& items, int count) {
     return Json{{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
   };
-  const Json component = number(row.hardMin, row.hardMax);
+  Json component = number(row.hardMin, row.hardMax);
   switch (row.type) {
     case ParameterType::Float:
       return component;

@@ -68,8 +68,8 @@ Result<ParameterValue> readValueFor(const ParameterRow& row, std::string_view te
   if (object) {
     if (const auto own = object->find(row.id); own != object->end()) return readOne(row, *own);
     if (object->size() == 1)
-      if (const Result<ParameterValue> only = readOne(row, object->front())) return only;
-  } else if (const Result<ParameterValue> typed = parseParameterText(row, text)) {
+      if (Result<ParameterValue> only = readOne(row, object->front())) return only;
+  } else if (Result<ParameterValue> typed = parseParameterText(row, text)) {
     return typed;
   }
   return inputError("the clipboard holds no value for " + std::string(row.group) + (row.group.empty() ? "" : " › ") +

@@ -137,7 +137,8 @@ DisplacementFrames displacementFrames(const Model& model) {
     }
     DisplacementDensity density;
     if (area > 0.0) density.uvPerUnit = static_cast<float>(std::sqrt(uvArea / area));
-    if (part.indexCount > 0) density.meanEdge = static_cast<float>(std::sqrt(squares / (part.indexCount / 3)));
+    const std::uint32_t triangles = part.indexCount / 3;
+    if (triangles > 0) density.meanEdge = static_cast<float>(std::sqrt(squares / triangles));
     frames.parts.push_back(density);
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/json_fields.h"
 #include "core/base/number_format.h"
@@ -68,6 +69,7 @@ Result<void> readSetting(std::string_view key, std::string_view value, HeadMapRe
     return {};
   }
   std::vector<std::string_view> known;
+  known.reserve(std::size(kSettings) + 4);
   for (const Setting& setting : kSettings) known.push_back(setting.key);
   known.insert(known.end(), {"seed", "size", "relative", "region"});
   return inputError("has no setting \"" + std::string(key) + "\"; there are " + listed(known));

@@ -96,7 +96,8 @@ AlbedoTable::AlbedoTable() {
 }
 
 const glm::vec3& AlbedoTable::logarithm(int melanin, int blood, int oxygen) const {
-  return m_logarithms[static_cast<std::size_t>((oxygen * kSteps + blood) * kSteps + melanin)];
+  const int entry = (oxygen * kSteps + blood) * kSteps + melanin;
+  return m_logarithms[static_cast<std::size_t>(entry)];
 }
 
 glm::vec3 AlbedoTable::at(float melanin, float blood, float oxygenation) const {
