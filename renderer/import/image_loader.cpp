@@ -230,7 +230,7 @@ void unpackTexts(const std::string& text, std::map<std::string, std::string>& me
 }  // namespace
 
 Result<Image> loadImage(const std::filesystem::path& path, const ImageReadOptions& options, Warnings& warnings,
-                        std::stop_token stop) try {
+                        const std::stop_token& stop) try {
   if (stop.stop_requested()) return cancelledError();
   auto source = ImageSource::open(path);
   if (!source) return tl::unexpected(source.error());

@@ -18,12 +18,12 @@ class ModuleImporter final : public Importer {
     OIIO::attribute("exr_threads", 2);
   }
 
-  Result<Model> loadModel(const std::filesystem::path& path, std::stop_token stop) const override {
-    return import::loadModel(path, std::move(stop));
+  Result<Model> loadModel(const std::filesystem::path& path, const std::stop_token& stop) const override {
+    return import::loadModel(path, stop);
   }
   Result<Image> loadImage(const std::filesystem::path& path, const ImageReadOptions& options, Warnings& warnings,
-                          std::stop_token stop) const override {
-    return import::loadImage(path, options, warnings, std::move(stop));
+                          const std::stop_token& stop) const override {
+    return import::loadImage(path, options, warnings, stop);
   }
   Result<Image> loadImage(std::span<const std::byte> bytes, const std::string& name, const ImageReadOptions& options,
                           Warnings& warnings) const override {

@@ -69,7 +69,7 @@ Result<const aiScene*> parse(Assimp::Importer& importer, const fs::path& path, c
 
 }  // namespace
 
-Result<Model> loadModel(const fs::path& path, std::stop_token stop) try {
+Result<Model> loadModel(const fs::path& path, const std::stop_token& stop) try {
   const std::string name = path.filename().string();
   const std::string format = lowerCase(path.extension().string());
   if (stop.stop_requested()) return cancelledError();

@@ -38,7 +38,7 @@ std::vector<LightingQuery> latLongQueries(const MakeQuery& makeQuery) {
 
 }  // namespace
 
-Result<EnvironmentReadback> readBackEnvironment(std::shared_ptr<const EnvironmentImages> images,
+Result<EnvironmentReadback> readBackEnvironment(const std::shared_ptr<const EnvironmentImages>& images,
                                                 std::span<const float> perceptualRoughnesses,
                                                 const EnvironmentBakeOptions& options, Warnings& warnings) {
   EnvironmentReadback out;

@@ -28,7 +28,7 @@ struct EnvironmentReadback {
 /// Bakes the environment (through the disk cache, where options name one), uploads it, and reads it back at the texel
 /// centres of lat-long images through the functions of environment.glsl. Needs a current OpenGL 4.5 context.
 /// Errors: Runtime.
-[[nodiscard]] Result<EnvironmentReadback> readBackEnvironment(std::shared_ptr<const EnvironmentImages> images,
+[[nodiscard]] Result<EnvironmentReadback> readBackEnvironment(const std::shared_ptr<const EnvironmentImages>& images,
                                                               std::span<const float> perceptualRoughnesses,
                                                               const EnvironmentBakeOptions& options,
                                                               Warnings& warnings);

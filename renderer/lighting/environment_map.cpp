@@ -153,7 +153,7 @@ std::unique_ptr<gl::Job> makeEnvironmentJob(std::shared_ptr<const EnvironmentIma
   return std::make_unique<EnvironmentJob>(std::move(images), std::move(options), std::move(ready));
 }
 
-Result<std::shared_ptr<const EnvironmentMap>> makeEnvironmentMap(std::shared_ptr<const EnvironmentImages> images,
+Result<std::shared_ptr<const EnvironmentMap>> makeEnvironmentMap(const std::shared_ptr<const EnvironmentImages>& images,
                                                                  const EnvironmentBakeOptions& options,
                                                                  Warnings& warnings) {
   auto baked = bakeEnvironment(*images, options);

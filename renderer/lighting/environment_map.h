@@ -53,6 +53,6 @@ using EnvironmentReady = std::function<void(std::shared_ptr<const EnvironmentMap
 
 /// The same at once, for tests and command-line bakes.
 [[nodiscard]] Result<std::shared_ptr<const EnvironmentMap>> makeEnvironmentMap(
-    std::shared_ptr<const EnvironmentImages> images, const EnvironmentBakeOptions& options, Warnings& warnings);
+    const std::shared_ptr<const EnvironmentImages>& images, const EnvironmentBakeOptions& options, Warnings& warnings);
 
 }  // namespace dermis

@@ -161,10 +161,10 @@ std::string AssetCache::mapKey(const fs::path& path) {
   return key;
 }
 
-void AssetCache::put(const std::string& key, std::shared_ptr<const void> value) {
+void AssetCache::put(const std::string& key, const std::shared_ptr<const void>& value) {
   const std::lock_guard lock(m_mutex);
   std::erase_if(m_entries, [](const auto& entry) { return entry.second.expired(); });
-  m_entries[key] = std::move(value);
+  m_entries[key] = value;
 }
 
 std::shared_ptr<const void> AssetCache::findAny(const std::string& key) const {

@@ -29,7 +29,7 @@ class AssetCache {
   [[nodiscard]] std::shared_ptr<const T> find(const std::string& key) const {
     return std::static_pointer_cast<const T>(findAny(key));
   }
-  void put(const std::string& key, std::shared_ptr<const void> value);
+  void put(const std::string& key, const std::shared_ptr<const void>& value);
 
  private:
   [[nodiscard]] std::shared_ptr<const void> findAny(const std::string& key) const;

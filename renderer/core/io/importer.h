@@ -46,11 +46,12 @@ class Importer {
 
   /// Model in any format that Assimp reads. `path` gives the extension, the folder for side files and the name for
   /// messages. Errors: Input (missing, truncated, lying, empty, non-finite), Cancelled.
-  [[nodiscard]] virtual Result<Model> loadModel(const std::filesystem::path& path, std::stop_token stop = {}) const = 0;
+  [[nodiscard]] virtual Result<Model> loadModel(const std::filesystem::path& path,
+                                                const std::stop_token& stop = {}) const = 0;
 
   /// Image in any format that OpenImageIO reads; more than four channels are cut to the first RGBA with a warning.
   [[nodiscard]] virtual Result<Image> loadImage(const std::filesystem::path& path, const ImageReadOptions& options,
-                                                Warnings& warnings, std::stop_token stop = {}) const = 0;
+                                                Warnings& warnings, const std::stop_token& stop = {}) const = 0;
   /// The same from memory; `name` gives the format's extension and the name for messages.
   [[nodiscard]] virtual Result<Image> loadImage(std::span<const std::byte> bytes, const std::string& name,
                                                 const ImageReadOptions& options, Warnings& warnings) const = 0;
