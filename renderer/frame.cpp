@@ -1,4 +1,4 @@
-// The frame, top to bottom: Frame::draw first, then what it calls, then reading back.
+// The frame, top to bottom: Frame::draw first, then what it calls. frame_read_back.cpp reads what it left.
 #include "frame.h"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include "lighting/environment_map.h"
 #include "lighting/spherical_harmonics.h"
 #include "passes/accumulate_pass.h"
-#include "passes/read_back.h"
 #include "passes/reference_objects.h"
 #include "passes/sky_pass.h"
 #include "passes/subsurface_pass.h"
@@ -18,40 +17,9 @@ namespace dermis {
 
 namespace {
 
-/// Back to what OpenGL starts with, so that a host that draws after us finds what it expects.
-void restoreDefaults(GLuint framebuffer) {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  glUseProgram(0);
-  glBindVertexArray(0);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ZERO);
-  glDepthFunc(GL_LESS);
-  glDepthMask(GL_TRUE);
-  glCullFace(GL_BACK);
-  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-  glActiveTexture(GL_TEXTURE0);
-}
-
 bool canShow(GLuint framebuffer) {
   // Without a window the default framebuffer doesn't exist: nothing is shown, the picture is read back instead.
   return glCheckNamedFramebufferStatus(framebuffer, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
-/// Images that are not radiance.
-bool isData(Aov aov) {
-  switch (aov) {
-    case Aov::Normal:
-    case Aov::Thickness:
-    case Aov::Occlusion:
-    case Aov::Depth:
-    case Aov::ProfileId:
-    case Aov::Energy:
-      return true;
-    default:
-      return false;
-  }
 }
 
 std::vector<glm::vec3> visibleLampPositions(const ResolvedScene& scene, double seconds) {
@@ -102,7 +70,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   if (drawsOne) {
     if (!m_isBegun) m_timer.beginFrame();
     if (!std::exchange(m_isBegun, false) && !drawSurface(*frame, statistics)) {
-      restoreDefaults(request.framebuffer);
+      gl::restoreDefaults(request.framebuffer);
       return false;
     }
     drawAround(*frame);
@@ -114,7 +82,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
 
   if (!request.moving && drawsOne) {
     // A single sample is its own mean: it goes into the sums when the next one is drawn.
-    if (m_samples > 0) accumulate(*frame);
+    if (m_samples > 0 && !accumulate(*frame)) return false;
     ++m_samples;
   }
 
@@ -129,7 +97,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
   statistics.targetSamples = m_targetSamples;
   statistics.pictureSize = request.size;
   m_showsSums = !request.moving;
-  restoreDefaults(request.framebuffer);
+  gl::restoreDefaults(request.framebuffer);
   return true;
 }
 
@@ -142,7 +110,7 @@ bool Frame::begin(const FrameRequest& request, SceneResources& resources, std::u
     m_isBegun = drawSurface(*frame, statistics);
     m_begunFence = gl::Fence::here();
   }
-  restoreDefaults(request.framebuffer);
+  gl::restoreDefaults(request.framebuffer);
   return m_isBegun;
 }
 
@@ -196,18 +164,22 @@ std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneRes
   return frame;
 }
 
-void Frame::accumulate(const FrameContext& frame) {
+bool Frame::accumulate(const FrameContext& frame) {
   const auto timed = m_timer.pass("accumulate");
-  if (auto sums = m_targets.prepareSums(m_stillKey.images); !sums) m_messages.say(sums.error().message);
+  if (auto sums = m_targets.prepareSums(m_stillKey.images); !sums) {
+    m_messages.say(sums.error().message);
+    return false;
+  }
   glViewport(0, 0, frame.request.size.x, frame.request.size.y);
   accumulatePass(frame, m_summed == 0);
   ++m_summed;
+  return true;
 }
 
 bool Frame::drawSurface(const FrameContext& frame, RenderStatistics& statistics) {
   const FrameRequest& request = frame.request;
   m_noVertices.bind();
-  if (!request.moving && m_summed < m_samples) accumulate(frame);
+  if (!request.moving && m_summed < m_samples && !accumulate(frame)) return false;
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // the environment's faces meet without a seam
   // Reversed depth in 0..1: see cameraMatrices.
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -437,86 +409,6 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   glBlitNamedFramebuffer(encoded.id(), request.framebuffer, 0, 0, request.size.x, request.size.y, 0, 0, size.x, size.y,
                          GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glDisable(GL_SCISSOR_TEST);
-}
-
-// ---- reading back
-
-Image Frame::readAov(Aov aov) const {
-  const SceneImage which = sceneImageOf(aov);
-  if (m_samples == 0 || !samplesOf(which)) return blackAov(aov, m_targets.size());
-  return aovFromSums(aov, samplesOf(which), m_samples);
-}
-
-Image Frame::readView(Aov aov, const ResolvedScene* scene, const ViewSettings& view, PixelType type) {
-  const glm::ivec2 size = glm::max(m_targets.size(), glm::ivec2(1));
-  const bool wide = type != PixelType::U8;
-  const SceneImage which = sceneImageOf(aov);
-  if (m_samples == 0 || scene == nullptr || !samplesOf(which)) return blackDisplay(size, wide);
-  const gl::Texture target = gl::Texture::create({.format = wide ? GLenum{GL_RGBA16} : GLenum{GL_RGBA8},
-                                                  .width = size.x,
-                                                  .height = size.y,
-                                                  .label = "encoded picture"});
-  const gl::Framebuffer framebuffer = gl::Framebuffer::create("encoded picture");
-  framebuffer.attachColour(0, target);
-  framebuffer.drawTo(1);
-  framebuffer.bind();
-  m_noVertices.bind();
-  const gl::Texture& sums = samplesOf(which);
-  const float weight = 1.0F / static_cast<float>(m_samples);
-  if (isData(aov)) {
-    DisplayPass::drawData(m_shaders, m_messages, aov, valueRange(aov, *scene, m_stillKey.camera), sums, weight, size,
-                          {{0, 0}, size});
-  } else {
-    DisplayInput input;
-    input.image = &sums;
-    input.weight = weight;
-    input.exact = true;
-    input.straightAlpha = true;
-    m_display.draw(m_shaders, m_messages, view, input);
-  }
-  Image image = displayFromTexture(target, wide);
-  restoreDefaults(0);
-  return image;
-}
-
-std::optional<glm::vec3> Frame::pickPosition(glm::ivec2 pixel) const {
-  const glm::ivec2 size = m_targets.size();
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
-  const int row = size.y - 1 - pixel.y;
-  if (m_lastMultisampled) {
-    // One sample of each pixel is enough to point at something.
-    glBlitNamedFramebuffer(m_targets.multisampled().id(), m_targets.scene().id(), 0, 0, size.x, size.y, 0, 0, size.x,
-                           size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  }
-  m_targets.scene().bind();
-  GLfloat depth = 0.0F;
-  glReadPixels(pixel.x, row, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (depth <= 0.0F) return std::nullopt;  // the far plane of the reversed depth
-  const glm::vec2 clip = (glm::vec2(pixel.x, row) + 0.5F) / glm::vec2(size) * 2.0F - 1.0F;
-  const glm::vec4 world = m_lastCamera.inverseViewProjection * glm::vec4(clip, depth, 1.0F);
-  return glm::vec3(world) / world.w;
-}
-
-std::optional<PixelReadout> Frame::readPixel(glm::ivec2 pixel, const ViewSettings& view) {
-  const glm::ivec2 size = m_targets.size();
-  if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y) return std::nullopt;
-  const int row = size.y - 1 - pixel.y;
-  const bool fromSums = m_showsSums && m_samples > 0;
-  if (m_isBegun && !fromSums) return std::nullopt;  // half a picture
-  const auto texel = [&](const gl::Texture& image) {
-    glm::vec4 value(0.0F);
-    glGetTextureSubImage(image.id(), 0, pixel.x, row, 0, 1, 1, 1, GL_RGBA, GL_FLOAT, sizeof value, &value[0]);
-    return value;
-  };
-  PixelReadout readout;
-  readout.radiance = fromSums ? texel(samplesOf(SceneImage::Beauty)) / static_cast<float>(m_samples)
-                              : texel(m_targets.image(SceneImage::Beauty));
-  readout.display = m_display.encoded(readout.radiance, view, m_messages);
-  if (m_targets.has(SceneImage::Geometry))
-    if (const float thickness = texel(m_targets.image(SceneImage::Geometry)).w; thickness > 0.0F)
-      readout.thicknessMm = thickness;
-  return readout;
 }
 
 std::vector<PassTime> Frame::passTimes() {

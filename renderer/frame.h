@@ -1,4 +1,4 @@
-// The frame: read frame.cpp from top to bottom.
+// The frame: read frame.cpp from top to bottom; frame_read_back.cpp reads what it left.
 #pragma once
 
 #include <optional>
@@ -95,8 +95,8 @@ class Frame {
   /// Null where the surface's images have to be drawn each time.
   [[nodiscard]] std::optional<SurfaceKey> surfaceKey(const FrameContext& frame) const;
   void show(const FrameContext& frame, bool fromSums);
-  /// Adds the images to the sums.
-  void accumulate(const FrameContext& frame);
+  /// Adds the images to the sums. False, with a message, where there is no memory for them.
+  bool accumulate(const FrameContext& frame);
   /// m_samples of a still picture together; nothing where they aren't kept.
   [[nodiscard]] const gl::Texture& samplesOf(SceneImage image) const {
     return m_summed == m_samples ? m_targets.sum(image) : m_targets.image(image);

@@ -32,6 +32,20 @@ glm::vec3 viridis(float share) {
   return colour;
 }
 
+bool isData(Aov aov) {
+  switch (aov) {
+    case Aov::Normal:
+    case Aov::Thickness:
+    case Aov::Occlusion:
+    case Aov::Depth:
+    case Aov::ProfileId:
+    case Aov::Energy:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::optional<ValueRange> valueRange(Aov aov, const ResolvedScene& scene, const Camera& camera) {
   switch (aov) {
     case Aov::Thickness:

@@ -23,6 +23,9 @@ struct ValueRange {
   bool marksAbove = false;  ///< what is above `high` is an error and red; else it has the last colour
 };
 
+/// Images that are not radiance.
+[[nodiscard]] bool isData(Aov aov);
+
 /// For the views of numbers; nothing for the others. Thickness ends at the largest maximum of the materials that have
 /// one, depth at the model's box seen from the camera, energy at 1.
 [[nodiscard]] std::optional<ValueRange> valueRange(Aov aov, const ResolvedScene& scene, const Camera& camera);

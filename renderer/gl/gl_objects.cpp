@@ -306,4 +306,19 @@ void drawFullScreen() {
   glBindVertexArray(0);
 }
 
+void restoreDefaults(GLuint framebuffer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glUseProgram(0);
+  glBindVertexArray(0);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ZERO);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glCullFace(GL_BACK);
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  glActiveTexture(GL_TEXTURE0);
+}
+
 }  // namespace dermis::gl

@@ -180,6 +180,8 @@ using ProgramHandle = Handle<deleteProgram>;
 
 /// Draws one triangle that covers the viewport; the vertex shader makes its corners from gl_VertexID.
 void drawFullScreen();
+/// Back to what OpenGL starts with, `framebuffer` bound: a host that draws after us finds what it expects.
+void restoreDefaults(GLuint framebuffer);
 
 /// Levels of a full mip chain.
 [[nodiscard]] int fullMipCount(int width, int height);
