@@ -140,9 +140,10 @@ class OcioTransform final : public DisplayTransform {
  private:
   /// Baked, or what an earlier program baked of the same operations.
   void prepareLut() const {
-    // Named by all that the numbers come from.
+    // Named by all that the numbers come from; raise the version where the way they are made changes.
+    constexpr std::uint64_t kVersion = 1;
     const ImageKey key{
-        1, fmt::format("view {} {} {} {} {}", OCIO::GetVersion(), m_cpu->getCacheID(), kLutEdge, kToe, kPeak)};
+        kVersion, fmt::format("view {} {} {} {} {}", OCIO::GetVersion(), m_cpu->getCacheID(), kLutEdge, kToe, kPeak)};
     std::optional<Image> kept = readCachedImage(key, m_view);
     const bool isWhole = kept && kept->width == kLutEdge && kept->height == kLutEdge * kLutEdge &&
                          kept->channels == 3 && kept->type == PixelType::Float;

@@ -1,6 +1,8 @@
 // Views on the GPU against OpenColorIO's CPU processor, and the views that always exist.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -158,6 +160,35 @@ TEST_F(Colour, TheBakedAcesViewIsWithinHalfAStepOfEightBits) {
   EXPECT_LE(static_cast<double>(over) / count, 0.004);
   EXPECT_LE(std::sqrt(square / count), 1.0 / 2048.0);
   EXPECT_LE(worst(got, want), 1.0F / 64.0F);
+}
+
+TEST_F(Colour, ABakedViewIsKeptOnDiskAndADamagedOneIsMadeAgain) {
+  const char* before = std::getenv("XDG_CACHE_HOME");
+  const std::string cache = before == nullptr ? "" : before;
+  const fs::path folder = m_folder / "cache";
+  fs::remove_all(folder);
+  setenv("XDG_CACHE_HOME", folder.c_str(), 1);
+  Warnings warnings;
+  const std::vector<float> baked = make("ACES", warnings)->lut().rgb;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  ASSERT_EQ(files.size(), 1U);
+  const auto written = fs::last_write_time(files[0]);
+  fs::last_write_time(files[0], written - std::chrono::hours(1));
+  EXPECT_EQ(make("ACES", warnings)->lut().rgb, baked);
+  EXPECT_GE(fs::last_write_time(files[0]), written) << "nobody read it";
+
+  std::fstream stream(files[0], std::ios::binary | std::ios::in | std::ios::out);
+  stream.seekp(5000);
+  stream.put('\x7f');
+  stream.close();
+  EXPECT_EQ(make("ACES", warnings)->lut().rgb, baked);
+  EXPECT_NE(make("sRGB", warnings)->lut().rgb, baked);
+  if (before == nullptr)
+    unsetenv("XDG_CACHE_HOME");
+  else
+    setenv("XDG_CACHE_HOME", cache.c_str(), 1);
 }
 
 TEST_F(Colour, MiddleGreyLandsWhereAcesPutsIt) {
