@@ -9,7 +9,8 @@ namespace dermis {
 void keepOnScreen(QWidget& window) {
   if ((window.windowState() & (Qt::WindowMaximized | Qt::WindowFullScreen | Qt::WindowMinimized)) != 0) return;
   const QRect screen = window.screen()->availableGeometry(), frame = window.frameGeometry();
-  if (screen.contains(frame)) return;
+  // Somebody may spread a window over several screens.
+  if (window.screen()->availableVirtualGeometry().contains(frame)) return;
   const QSize border = frame.size() - window.size();
   window.resize(window.size().boundedTo(screen.size() - border));
   const QSize size = window.size() + border;

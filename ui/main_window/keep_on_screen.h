@@ -5,7 +5,8 @@ class QWidget;
 
 namespace dermis {
 
-/// Makes a window smaller and moves it until its frame lies within its screen; what fits, or fills the screen, stays.
+/// Where a window's frame reaches beyond all screens, makes it smaller and moves it until it lies within its own; what
+/// is maximised stays.
 void keepOnScreen(QWidget& window);
 
 }  // namespace dermis
