@@ -18,8 +18,8 @@ layout(std140, binding = 4) uniform ProfileBlock {
 // i/(size − 1) of the mean of the three leaves, y how much larger the next one is.
 layout(binding = 26) uniform sampler2D u_profile_table;
 
-// r · R(r) of a profile that reaches as far as `extent`, at the nearest radius of the table: within half a texel of r, which is 0.2 % of r
-// where most of the light leaves, as often above it as below.
+// r · R(r) of a profile that reaches as far as `extent`, at the nearest radius of the table: off by at most 0.5 % of r where three quarters
+// of the light leave, as often above as below.
 vec3 radiusTimesDensity(float r, float extent, int profile) {
   int at = int(sqrt(sqrt(r / max(extent, 1e-12))) * float(kTableSize - 1) + 0.5);
   return at < kTableSize ? texelFetch(u_profile_table, ivec2(at, 2 * profile), 0).rgb : vec3(0.0);
