@@ -52,12 +52,12 @@ Outline earOutline() {
                       {27.5F, 20},
                       {29.3F, 10},
                       {28, -1},
-                      {24.2F, -11},
-                      {19, -19.5F},
-                      {14.5F, -27},
-                      {8.5F, -32},
-                      {2, -31.5F},
-                      {-2.5F, -25.5F},
+                      {24.6F, -11},
+                      {20.2F, -19.5F},
+                      {16.4F, -27},
+                      {10.4F, -32.4F},
+                      {3, -32.2F},
+                      {-2.2F, -26.5F},
                       {-4, -16},
                       {-4, -5}});
 }
@@ -81,15 +81,15 @@ Stroke antihelix() {
                  {{17.6F, -5, 0}, 4.0F, 3.3F},
                  {{19, 3, 0}, 4.2F, 3.4F},
                  {{17.5F, 10, 0}, 4.4F, 3.2F},
-                 {{14.6F, 16, 0}, 4.4F, 2.6F},
-                 {{12.2F, 22, 0}, 4.2F, 1.6F},
+                 {{14.6F, 16, 0}, 4.0F, 3.0F},
+                 {{12.2F, 22, 0}, 3.8F, 2.0F},
                  {{11, 26, 0}, 4, 0.3F}},
                 8);
 }
 Stroke lowerCrus() {
   return Stroke({{{16.5F, 11.0F, 0}, 3.8F, 1.5F},
-                 {{11, 13.0F, 0}, 3.8F, 2.1F},
-                 {{5, 14.0F, 0}, 3.6F, 1.6F},
+                 {{11, 13.0F, 0}, 3.4F, 2.6F},
+                 {{5, 14.0F, 0}, 3.2F, 2.0F},
                  {{0.5F, 14.0F, 0}, 3.2F, 0.6F}},
                 8);
 }
@@ -99,8 +99,8 @@ Stroke scapha() {
                  {{20, 21.5F, 0}, 3.6F, -2.4F},
                  {{23.5F, 14, 0}, 3.6F, -2.6F},
                  {{24, 5, 0}, 3.6F, -2.6F},
-                 {{21.8F, -5, 0}, 3.4F, -2.2F},
-                 {{17.5F, -13, 0}, 3.2F, -1.2F},
+                 {{21.8F, -5, 0}, 3.4F, -1.7F},
+                 {{17.5F, -13, 0}, 3.2F, -0.5F},
                  {{14, -18, 0}, 3, -0.2F}},
                 8);
 }
@@ -127,8 +127,8 @@ EarMap::EarMap()
       const float concha = signedDistance(conchaEdge, p);
       float height = -glm::mix(9.0F, 11.5F, fade(-6.0F, 4.0F, p.y)) * fade(-4.2F, 1.6F, concha);
       height += raisedBy(folds, {p.x, p.y, 0.0F});
-      height -= 1.7F * blob(p, {8.2F, 19.4F}, {22, 16});                          // triangular fossa
-      height += 0.9F * blob(p, {8.5F, -14.2F}, {20, 18});                         // antitragus
+      height -= 2.2F * blob(p, {8.0F, 19.6F}, {20, 14});                          // triangular fossa
+      height += 1.5F * blob(p, {8.8F, -14.0F}, {18, 14});                         // antitragus
       height += 1.4F * blob(p, {5.5F, -25}, {60, 60});                            // the lobe's swelling
       height -= fade(-30.0F, -12.0F, p.y) + 0.03F * std::max(0.0F, p.y - 14.0F);  // lobe and top turn in a little
       const float thickness = 2.7F + 2.2F * blob(p, {6, -25}, {90, 90}) + 1.2F * fade(-3.0F, 2.0F, concha);

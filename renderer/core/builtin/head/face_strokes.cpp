@@ -55,7 +55,7 @@ std::vector<DrawnStroke> fineStrokes() {
       {"tear trough", Front, {{18, -10, 9, -0.2F}, {23, -15.5F, 12, -0.55F}, {33, -20, 12, -0.4F}}},
       {"philtrum", Front, {{0, -50, 4.6F, -0.4F}, {0, -57.0F, 5.2F, -0.75F}}},
       {"column of the philtrum", Front, {{4.4F, -50, 4.2F, 0.2F}, {5.8F, -58.3F, 4.6F, 0.5F}}},
-      {"mental crease", Front, {{0, -86, 8, -1.6F}, {12, -85, 8, -1.2F}, {20, -81, 7, -0.4F}}},
+      {"mental crease", Front, {{0, -86, 8, -1.1F}, {12, -85, 8, -0.9F}, {20, -81, 7, -0.4F}}},
       {"corner of the mouth", Front, {{26.0F, -69.0F, 5.0F, -0.7F}}},
       {"beyond the corner", Front, {{29, -71.0F, 5.5F, -0.25F}, {31, -75, 6.0F, -0.05F}}},
       {"roll beside the corner", Front, {{31, -65, 7.5F, 0.2F}, {33, -69, 8.5F, 0.4F}, {31, -75, 8.0F, 0.2F}}},

@@ -29,8 +29,14 @@ glm::vec3 onFront(const Sculpt& sculpt, float x, float y) {
   return p;
 }
 
-/// A hair that stays near the skin: it leaves it by `lift` mm at the tip.
-Hair lyingHair(const Sculpt& sculpt, const glm::vec3& root, glm::vec2 direction, float bend, float length, float lift,
+/// A unit direction in the skin's plane, turned counter-clockwise as seen from outside.
+glm::vec3 turnedAbout(const glm::vec3& normal, const glm::vec3& direction, float angle) {
+  return std::cos(angle) * direction + std::sin(angle) * glm::cross(normal, direction);
+}
+
+/// A hair that stays near the skin: it sets out along `direction`, turns by `bend` radians about the skin's normal and
+/// leaves the skin by `lift` mm at the tip.
+Hair lyingHair(const Sculpt& sculpt, const glm::vec3& root, glm::vec3 direction, float bend, float length, float lift,
                int pieces) {
   constexpr float kDelta = 0.6F, kMostStep = 2.0F;
   Hair hair;
@@ -41,32 +47,34 @@ Hair lyingHair(const Sculpt& sculpt, const glm::vec3& root, glm::vec2 direction,
     p = slope.onSkin(p, kMostStep);
     const glm::vec3 normal = glm::normalize(slope.gradient);
     hair.points.push_back(p + normal * (kOffSkin + lift * (1.0F - squared(1.0F - along))));
-    const float angle = bend / static_cast<float>(pieces);
-    direction = {direction.x * std::cos(angle) - direction.y * std::sin(angle),
-                 direction.x * std::sin(angle) + direction.y * std::cos(angle)};
-    const glm::vec3 flat(direction, 0.0F);
-    p += glm::normalize(flat - normal * glm::dot(flat, normal)) * (length / static_cast<float>(pieces));
+    direction = turnedAbout(normal, glm::normalize(direction - normal * glm::dot(direction, normal)),
+                            bend / static_cast<float>(pieces));
+    p += direction * (length / static_cast<float>(pieces));
   }
   return hair;
 }
 
 /// Hairs of one brow. They rise at the nose, lean outwards along the brow, and from above and below meet on its ridge.
 void growBrow(const Sculpt& sculpt, Random& random, int pieces, std::vector<Hair>& hairs) {
-  constexpr int kCount = 430;
+  constexpr int kCount = 480;
   const Brow brow;
   for (int i = 0; i < kCount; ++i) {
-    // More at the inner half, and more in the middle than at the edges.
-    const float x = glm::mix(8.0F, 54.0F, std::pow(random.next(), 1.08F));
+    // About even along the brow in space, and more in the middle than at the edges.
+    const float x = glm::mix(8.0F, 54.0F, std::pow(random.next(), 0.95F));
     const float over = random.next() + random.next() - 1.0F;  // −1 below, 1 above
     const float along = ramp(9.0F, 54.0F, x);
     const float y = brow.height(x) + (0.95F * over - 0.1F) * brow.halfWidth(x);
     const float rise = glm::mix(1.25F, 0.45F, ramp(8.0F, 19.0F, x)) - 0.35F * ramp(19.0F, 48.0F, x);
     const float meet = -0.42F * over * ramp(11.0F, 24.0F, x);
-    const float angle = std::atan(brow.slope(x)) + rise + meet + random.between(-0.2F, 0.2F);
+    const float angle = rise + meet + random.between(-0.2F, 0.2F);
     const float length = random.between(0.75F, 1.15F) * glm::mix(6.2F, 8.2F, bell(along - 0.45F, 0.35F)) *
                          (1.0F - 0.35F * ramp(0.8F, 1.0F, along));
-    Hair hair = lyingHair(sculpt, onFront(sculpt, x, y), {std::cos(angle), std::sin(angle)},
-                          -0.35F - 0.25F * random.next(), length, random.between(0.35F, 1.0F), pieces);
+    // Along the brow in space: its tail lies on the side of the head, where its front view is short.
+    const glm::vec3 root = onFront(sculpt, x, y);
+    const glm::vec3 outwards = glm::normalize(onFront(sculpt, x + 1.0F, y + brow.slope(x)) - root);
+    const glm::vec3 normal = glm::normalize(sculpt.slope(root, 0.6F).gradient);
+    Hair hair = lyingHair(sculpt, root, turnedAbout(normal, outwards, angle), -0.35F - 0.25F * random.next(), length,
+                          random.between(0.35F, 1.0F), pieces);
     hair.radius = random.between(0.045F, 0.07F);
     hairs.push_back(std::move(hair));
   }

@@ -54,13 +54,14 @@ float longestEdge(const glm::vec3& p) {
   return std::max({glm::mix(10.0F, 4.6F, face), 14.0F * base, 4.5F * socket});
 }
 
-/// Shortest edge, mm: finest where a line is sharp, at the lids' edges and between the lips.
+/// Shortest edge, mm: finest where a line is sharp, at the lids' edges, between the lips and round the nostrils.
 float shortestEdge(const glm::vec3& p) {
   const glm::vec3 q(std::abs(p.x), p.y, p.z);
   const float lids =
       fade(8.0F, 13.0F, std::abs(q.y)) * fade(15.0F, 20.0F, std::abs(q.x - kEyeCentre.x)) * ramp(74.0F, 77.0F, q.z);
   const float lips = fade(2.0F, 5.0F, std::abs(q.y + 69.0F)) * fade(27.0F, 32.0F, q.x) * ramp(70.0F, 80.0F, q.z);
-  return glm::mix(1.25F, lids > lips ? 0.6F : 0.7F, std::max(lids, lips));
+  const float nostrils = fade(11.0F, 15.0F, glm::distance(q, glm::vec3(7.0F, -45.0F, 103.0F)));
+  return glm::mix(1.25F, lids > lips ? 0.6F : 0.7F, std::max({lids, lips, nostrils}));
 }
 
 }  // namespace

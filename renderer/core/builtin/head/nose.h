@@ -19,7 +19,7 @@ class Nose {
  private:
   [[nodiscard]] float bridge(const glm::vec3& p) const;
   [[nodiscard]] float lobule(const glm::vec3& p) const;
-  Stroke m_dorsum, m_flank, m_columella;
+  Stroke m_dorsum, m_flank, m_columella, m_rim;
 };
 
 }  // namespace dermis::sculpt
