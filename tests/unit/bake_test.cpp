@@ -264,6 +264,18 @@ TEST(MeshBake, WhatLiesInsideIsPassedThrough) {
   EXPECT_NEAR(bakeOf(model)->vertices[21 * 10 + 10].thicknessMm, 30.0F, 0.01F);
 }
 
+TEST(MeshBake, BodiesThatTouchAreOne) {
+  // A lid of 2 mm over an eyeball's worth of 20: tears fill a narrow gap, a wide one is air.
+  for (const float gap : {0.1F, 0.25F, 0.5F, 3.0F}) {
+    Model model = slab(2.0F), below = slab(20.0F);
+    for (glm::vec3& p : below.positions) p.z -= 2.0F + gap;
+    appendModel(model, below);
+    model.millimetresPerUnit = 1.0F;
+    const float wanted = gap < kContactMm ? 22.0F + gap : 2.0F;
+    EXPECT_NEAR(bakeOf(model)->vertices[21 * 10 + 10].thicknessMm, wanted, 0.01F) << gap;
+  }
+}
+
 TEST(MeshBake, FarSideOfASlabSeesItsOwnSky) {
   const Model model = slab(2.0F);
   const auto bake = bakeOf(model);

@@ -53,7 +53,8 @@ Harmonics<float> bounceAt(const RayScene& scene, const Model& model, const BakeP
 FarRow farRow(const RayScene& scene, const Model& model, const BakePoints& points,
               const std::vector<Harmonics<float>>& hidden, std::size_t point, const RaySet& rays,
               float millimetresPerUnit) {
-  const Thickness thickness = thicknessAt(scene, points.positions[point], points.normals[point], rays);
+  const Thickness thickness =
+      thicknessAt(scene, points.positions[point], points.normals[point], rays, kContactMm / millimetresPerUnit);
   FarRow row{};
   for (const RayScene::Hit& exit : thickness.exits) {
     const Harmonics<float> received = receivedAt(scene, model, points, hidden, exit);

@@ -53,7 +53,7 @@ struct MeshBakeOptions {
 };
 
 /// Changes whenever the same model would give other numbers; part of the cache's key.
-inline constexpr std::uint32_t kMeshBakeVersion = 4;
+inline constexpr std::uint32_t kMeshBakeVersion = 5;
 
 /// Reads the cache or bakes (and writes the cache). The same model gives the same bytes, however many cores there are.
 /// Errors: Cancelled; Runtime (Embree).

@@ -57,7 +57,8 @@ float occlusionOf(const Harmonics<float>& hidden) {
   return std::clamp(1.0F - hidden[0] / harmonicsAt(glm::vec3(0.0F, 0.0F, 1.0F))[0], 0.0F, 1.0F);
 }
 
-Thickness thicknessAt(const RayScene& scene, const glm::vec3& position, const glm::vec3& normal, const RaySet& rays) {
+Thickness thicknessAt(const RayScene& scene, const glm::vec3& position, const glm::vec3& normal, const RaySet& rays,
+                      float contact) {
   struct Ray {
     float length = std::numeric_limits<float>::infinity();
     std::optional<RayScene::Hit> exit;
@@ -67,7 +68,7 @@ Thickness thicknessAt(const RayScene& scene, const glm::vec3& position, const gl
   rays.around(-normal, directions);
   std::vector<Ray> found(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    found[i].exit = scene.exitAlong(position - normal * scene.bias(), directions[i]);
+    found[i].exit = scene.exitAlong(position - normal * scene.bias(), directions[i], contact);
     if (found[i].exit) found[i].length = scene.bias() - found[i].exit->distance * glm::dot(directions[i], normal);
   }
   std::sort(found.begin(), found.end(), [](const Ray& a, const Ray& b) { return a.length < b.length; });

@@ -41,9 +41,12 @@ struct Thickness {
 /// Each ray of a cone inwards, of length s at an angle θ to −n, says that the slab is s cos θ thick: exactly, on a
 /// slab. The mean of the middle half of these neither minds a few rays that leave through a rim or a hole nor jumps as
 /// a median does. A ray that never leaves counts as infinite. Over a sphere of radius r the rays of a 30° cone say 7/4
-/// r, and not 2 r.
+/// r, and not 2 r. Bodies no further apart than `contact`, in scene units, are one.
 [[nodiscard]] Thickness thicknessAt(const RayScene& scene, const glm::vec3& position, const glm::vec3& normal,
-                                    const RaySet& rays);
+                                    const RaySet& rays, float contact = 0.0F);
 inline constexpr float kThicknessConeDegrees = 30.0F;
+/// Bodies this near touch: tears fill what is between an eyelid and its eyeball, so that the lid is no thin slab in
+/// air.
+inline constexpr float kContactMm = 0.3F;
 
 }  // namespace dermis

@@ -118,20 +118,29 @@ void RayScene::firstHits(const glm::vec3& origin, std::span<const glm::vec3> dir
   }
 }
 
-std::optional<RayScene::Hit> RayScene::exitAlong(const glm::vec3& origin, const glm::vec3& direction) const {
+std::optional<RayScene::Hit> RayScene::exitAlong(const glm::vec3& origin, const glm::vec3& direction,
+                                                 float contact) const {
   constexpr int kMostSurfaces = 16;
+  std::optional<Hit> left;  // where the last body ended
   float nearest = 0.0F;
   for (int i = 0, inside = 1; i < kMostSurfaces; ++i) {
     RTCRayHit ray = rayFrom(origin, direction, nearest);
+    if (left) ray.ray.tfar = left->distance + contact;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(m_handles->scene, &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    inside += glm::dot(m_outward[ray.hit.primID], direction) > 0.0F ? -1 : 1;
-    if (inside == 0) return Hit{ray.ray.tfar, ray.hit.primID, {ray.hit.u, ray.hit.v}};
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return left;
+    const bool leaves = glm::dot(m_outward[ray.hit.primID], direction) > 0.0F;
+    if (left && leaves) return left;
+    left.reset();
+    inside += leaves ? -1 : 1;
+    if (inside == 0) {
+      left = Hit{ray.ray.tfar, ray.hit.primID, {ray.hit.u, ray.hit.v}};
+      if (contact <= m_bias) return left;
+    }
     nearest = ray.ray.tfar + m_bias;
   }
-  return std::nullopt;
+  return left;
 }
 
 }  // namespace dermis

@@ -104,11 +104,12 @@ Result<Image> bakeTexels(const Model& model, const std::string& name, BakedMap m
   const auto work = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Place& place = places[i];
-      values[place.texel] =
-          thickness
-              ? std::min(thicknessAt(*scene, place.position, place.normal, rays).length * options.millimetresPerUnit,
-                         kThickestMm)
-              : occlusionOf(hiddenSky(*scene, place.position, place.normal, rays));
+      values[place.texel] = thickness ? std::min(thicknessAt(*scene, place.position, place.normal, rays,
+                                                             kContactMm / options.millimetresPerUnit)
+                                                         .length *
+                                                     options.millimetresPerUnit,
+                                                 kThickestMm)
+                                      : occlusionOf(hiddenSky(*scene, place.position, place.normal, rays));
     }
   };
   const auto report = [&](float share) {

@@ -14,6 +14,12 @@ constexpr float kCorneaRadius = 7.8F;
 constexpr float kLimbusRadius = 5.9F;
 constexpr float kPupilRadius = 1.9F;
 
+/// Of its sphere, before the eyeball's.
+float corneaCentre() {
+  return std::sqrt(kEyeRadius * kEyeRadius - kLimbusRadius * kLimbusRadius) -
+         std::sqrt(kCorneaRadius * kCorneaRadius - kLimbusRadius * kLimbusRadius);
+}
+
 /// A point of the meridian that is turned about +Z: distance from the axis, height, and the angle from +Z that its
 /// texture coordinate stands for.
 struct MeridianPoint {
@@ -89,10 +95,14 @@ Model makeEyeball(int segments) {
   return turnedAboutZ(meridian, segments, "eye");
 }
 
+float frontOfEye(float radius) {
+  if (radius < kLimbusRadius) return corneaCentre() + std::sqrt(kCorneaRadius * kCorneaRadius - radius * radius);
+  return std::sqrt(std::max(kEyeRadius * kEyeRadius - radius * radius, 0.0F));
+}
+
 Model makeCornea(int segments) {
   constexpr float kFilm = 0.03F;  // over the sclera, so that the two don't fight for the depth
-  const float centre = std::sqrt(kEyeRadius * kEyeRadius - kLimbusRadius * kLimbusRadius) -
-                       std::sqrt(kCorneaRadius * kCorneaRadius - kLimbusRadius * kLimbusRadius);
+  const float centre = corneaCentre();
   const float last = std::asin(kLimbusRadius / kCorneaRadius);
   const int rows = std::max(segments / 4, 6);
   std::vector<MeridianPoint> meridian;

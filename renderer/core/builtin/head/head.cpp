@@ -10,6 +10,7 @@
 #include "core/builtin/head/head_look.h"
 #include "core/builtin/head/head_mesh.h"
 #include "core/builtin/head/refine.h"
+#include "core/builtin/head/tear_line.h"
 #include "core/scene/primitives.h"
 #include "core/scene/tangents.h"
 
@@ -37,6 +38,17 @@ Model bothEyes(const Model& part) {
   both.slots.resize(1);  // the second eye's has become the first's
   both.parts = {{0, 0, static_cast<std::uint32_t>(both.indices.size())}};
   return both;
+}
+
+/// What is clear before the eyes: corneas and tears.
+Model lenses(const Sculpt& sculpt, int segments, int tearPieces) {
+  Model lens = bothEyes(makeCornea(segments));
+  Model tears = makeTearLine(sculpt, tearPieces);
+  completeTangents(tears);
+  appendModel(lens, tears, {glm::vec3(kMetresPerMillimetre), {}, glm::vec3(0.0F)});
+  lens.slots.resize(1);
+  lens.parts = {{0, 0, static_cast<std::uint32_t>(lens.indices.size())}};
+  return lens;
 }
 
 Model faceModel(const AtlasMesh& mesh, const std::vector<glm::vec3>& normals) {
@@ -87,7 +99,8 @@ Head makeHead(HeadLevel level) {
   }
   Model model = faceModel(mesh, normals);
   appendModel(model, bothEyes(makeEyeball(kEyeSegments[index])));
-  appendModel(model, bothEyes(makeCornea(kEyeSegments[index])));
+  constexpr std::array<int, 3> kTearPieces = {24, 40, 64};
+  appendModel(model, lenses(sculpt, kEyeSegments[index], kTearPieces[index]));
   constexpr std::array<int, 3> kHairPieces = {2, 3, 5};
   Model hairs = makeHairs(sculpt, kHairPieces[index]);
   completeTangents(hairs);

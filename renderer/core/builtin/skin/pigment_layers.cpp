@@ -63,12 +63,20 @@ float hairs(const SkinPlace& at, const Look& look) {
 float veins(const SkinPlace& at, const Look& look) {
   const float side = glm::smoothstep(46.0F, 60.0F, std::abs(at.p.x)) * glm::smoothstep(-8.0F, 12.0F, at.p.y) *
                      (1.0F - at[Ear]) * (1.0F - 0.7F * at[Scalp]);
-  const float where = 0.8F * side + 0.7F * std::max(at[UpperLid], at[UnderEye]) + 0.5F * at[Neck] + 0.6F * at[Chest];
+  const float where = 0.8F * side + 0.5F * std::max(at[UpperLid], at[UnderEye]) + 0.5F * at[Neck] + 0.6F * at[Chest];
   if (where <= 0.02F) return 0.0F;
   const glm::vec3 bent =
       at.p + 5.0F * glm::vec3(noise(at.p / 14.0F, look.seed + 90), noise(at.p / 14.0F, look.seed + 91),
                               noise(at.p / 14.0F, look.seed + 92));
-  const float net = lines(noise(bent / 24.0F, look.seed + 93), 0.035F);
+  // As wide everywhere: where the noise hardly changes, its zero alone would be a patch.
+  constexpr float kScale = 24.0F, kStep = 1.0F, kHalfWidth = 0.8F, kLeastSlope = 0.008F;
+  const auto at93 = [&](const glm::vec3& p) { return noise(p / kScale, look.seed + 93); };
+  const float zero = at93(bent);
+  const glm::vec3 slope = (glm::vec3(at93(bent + glm::vec3(kStep, 0, 0)), at93(bent + glm::vec3(0, kStep, 0)),
+                                     at93(bent + glm::vec3(0, 0, kStep))) -
+                           zero) /
+                          kStep;
+  const float net = lines(zero / std::max(glm::length(slope), kLeastSlope), kHalfWidth);
   return where * net * glm::smoothstep(-0.3F, 0.4F, noise(at.p / 30.0F, look.seed + 94));
 }
 
