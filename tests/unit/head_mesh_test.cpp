@@ -6,11 +6,14 @@
 #include <numeric>
 #include <tuple>
 
+#include "core/builtin/head/asymmetry.h"
 #include "core/builtin/head/head.h"
 #include "core/builtin/head/lids.h"
 #include "core/builtin/head/polygonise.h"
 #include "core/builtin/head/regions.h"
 #include "core/builtin/head/remesh.h"
+#include "core/builtin/head/sculpt.h"
+#include "core/builtin/head/tear_line.h"
 #include "core/scene/eyeballs.h"
 
 namespace dermis {
@@ -240,6 +243,28 @@ TEST(HeadHairs, AreClosedGrowFromTheSkinAndKeepOutOfTheEyes) {
   }
   EXPECT_LT(highest, 0.040F);
   EXPECT_GT(lowest, -0.020F);
+}
+
+TEST(HeadTears, StandBetweenTheLowerLidsAndTheEyeballs) {
+  const sculpt::Sculpt sculpt;
+  const Model tears = sculpt::makeTearLine(sculpt, 40);
+  ASSERT_FALSE(tears.positions.empty());
+  float low = 0.0F, high = -10.0F;  // of the left strip's middle
+  for (std::size_t v = 0; v < tears.positions.size(); ++v) {
+    const bool left = tears.positions[v].x > 0.0F;
+    const glm::vec3 centre((left ? 1.0F : -1.0F) * sculpt::kEyeCentre.x, sculpt::kEyeCentre.y, sculpt::kEyeCentre.z);
+    const glm::vec3 off = tears.positions[v] - sculpt::asymmetrical(centre);  // one translation round each eye
+    EXPECT_GT(glm::length(off), kEyeRadius - 0.01F) << "not in the eyeball";
+    EXPECT_LT(glm::length(off), kEyeRadius + 1.3F) << "on the lid's margin at most";
+    EXPECT_GT(sculpt(centre + off), -0.1F) << "not in the lid";
+    EXPECT_LT(sculpt(centre + off), 0.5F) << "nor over the eye";
+    EXPECT_GT(std::max(tears.normals[v].y, tears.normals[v].z), 0.5F) << "looks ahead or upwards";
+    if (!left || std::abs(off.x) > 1.0F) continue;
+    low = std::min(low, off.y);
+    high = std::max(high, off.y);
+  }
+  EXPECT_GT(high - low, 0.2F);
+  EXPECT_LT(high - low, 0.8F);
 }
 
 TEST(HeadMesh, RendererFindsTheEyes) {

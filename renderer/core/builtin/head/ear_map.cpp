@@ -76,8 +76,8 @@ Outline conchaOutline() {
                       {-2, -3}});
 }
 Stroke antihelix() {
-  return Stroke({{{7.5F, -14.5F, 0}, 3.0F, 2.6F},
-                 {{13, -11.5F, 0}, 3.6F, 3.0F},
+  return Stroke({{{8.0F, -14.0F, 0}, 3.4F, 1.4F},
+                 {{13, -11.5F, 0}, 3.6F, 2.6F},
                  {{17.6F, -5, 0}, 4.0F, 3.3F},
                  {{19, 3, 0}, 4.2F, 3.4F},
                  {{17.5F, 10, 0}, 4.4F, 3.2F},
@@ -87,7 +87,7 @@ Stroke antihelix() {
                 8);
 }
 Stroke lowerCrus() {
-  return Stroke({{{16.5F, 11.0F, 0}, 3.8F, 1.5F},
+  return Stroke({{{16.5F, 11.0F, 0}, 3.8F, 0.7F},
                  {{11, 13.0F, 0}, 3.4F, 2.6F},
                  {{5, 14.0F, 0}, 3.2F, 2.0F},
                  {{0.5F, 14.0F, 0}, 3.2F, 0.6F}},
@@ -128,7 +128,7 @@ EarMap::EarMap()
       float height = -glm::mix(9.0F, 11.5F, fade(-6.0F, 4.0F, p.y)) * fade(-4.2F, 1.6F, concha);
       height += raisedBy(folds, {p.x, p.y, 0.0F});
       height -= 2.2F * blob(p, {8.0F, 19.6F}, {20, 14});                          // triangular fossa
-      height += 1.5F * blob(p, {8.8F, -14.0F}, {18, 14});                         // antitragus
+      height += 1.1F * blob(p, {8.2F, -14.2F}, {26, 20});                         // antitragus
       height += 1.4F * blob(p, {5.5F, -25}, {60, 60});                            // the lobe's swelling
       height -= fade(-30.0F, -12.0F, p.y) + 0.03F * std::max(0.0F, p.y - 14.0F);  // lobe and top turn in a little
       const float thickness = 2.7F + 2.2F * blob(p, {6, -25}, {90, 90}) + 1.2F * fade(-3.0F, 2.0F, concha);

@@ -38,7 +38,7 @@ Section sectionAt(const Sculpt& sculpt, float x, float fullness) {
   const float corner = marginHeight(sculpt, x, kNear), out = kNear + kDepth * fullness;
   const glm::vec3 top = overEye(x, corner + kHeight * fullness, kFilm);
   const glm::vec3 foot = overEye(x, marginHeight(sculpt, x, out) + kFilm * fullness, out);
-  const glm::vec3 hollow = glm::mix(0.5F * (top + foot), overEye(x, corner, kFilm), 0.55F);
+  const glm::vec3 hollow = glm::mix(0.5F * (top + foot), overEye(x, corner, kFilm), 0.35F);
   Section section{};
   for (int i = 0; i <= kAcross; ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(kAcross);
