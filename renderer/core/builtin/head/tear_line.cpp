@@ -10,8 +10,8 @@
 namespace dermis::sculpt {
 namespace {
 
-constexpr int kAcross = 4;                    // quads from the eyeball to the lid
-constexpr float kFrom = -10.2F, kTo = 11.6F;  // mm outwards of the eye's middle
+constexpr int kAcross = 4;                  // quads from the eyeball to the lid
+constexpr float kFrom = -9.4F, kTo = 9.8F;  // mm outwards of the eye's middle: the eyeball still faces ahead
 
 /// A point over the front of the eyeball, `off` mm before it along the view from the front.
 glm::vec3 overEye(float x, float y, float off) {
@@ -38,7 +38,7 @@ Section sectionAt(const Sculpt& sculpt, float x, float fullness) {
   const float corner = marginHeight(sculpt, x, kNear), out = kNear + kDepth * fullness;
   const glm::vec3 top = overEye(x, corner + kHeight * fullness, kFilm);
   const glm::vec3 foot = overEye(x, marginHeight(sculpt, x, out) + kFilm * fullness, out);
-  const glm::vec3 hollow = glm::mix(0.5F * (top + foot), overEye(x, corner, kFilm), 0.35F);
+  const glm::vec3 hollow = glm::mix(0.5F * (top + foot), overEye(x, corner, kFilm), 0.75F);
   Section section{};
   for (int i = 0; i <= kAcross; ++i) {
     const float t = static_cast<float>(i) / static_cast<float>(kAcross);
@@ -77,7 +77,7 @@ Model makeTearLine(const Sculpt& sculpt, int pieces) {
   std::vector<Section> sections;
   for (int s = 0; s <= pieces; ++s) {
     const float x = glm::mix(kFrom, kTo, static_cast<float>(s) / static_cast<float>(pieces));
-    sections.push_back(sectionAt(sculpt, x, ramp(kFrom, kFrom + 3.0F, x) * fade(kTo - 4.0F, kTo, x)));
+    sections.push_back(sectionAt(sculpt, x, ramp(kFrom, kFrom + 3.0F, x) * fade(kTo - 3.0F, kTo, x)));
   }
   Model model;
   model.slots.push_back({"lens", Material{}});
