@@ -27,21 +27,24 @@ std::byte srgbCode(float linear) {
 constexpr std::string_view kFreckles = "freckles", kSkinDetail = "skin_detail";
 constexpr int kEdge = 512;
 
-/// Optical depth of melanin in spots of soft, uneven outline: most of them small and pale, few large and dark.
+/// Optical depth of melanin in spots of soft, uneven outline: most of them small and pale, few large and dark; in some
+/// places of the tile they are darker than in others.
 std::vector<float> freckleDepth() {
-  constexpr int kFreckles = 520;
+  constexpr int kFreckles = 1300;
+  constexpr float kTurn = 6.2831853F;
   std::vector<float> depth(static_cast<std::size_t>(kEdge) * kEdge, 0.0F);
   Random random(2024);
   for (int i = 0; i < kFreckles; ++i) {
     const float x = random.next() * kEdge;
     const float y = random.next() * kEdge;
     const float size = random.next();
-    const float radius = 1.9F + 5.5F * size * size * size;  // texels of a fifth of a millimetre
-    const float dark = (0.15F + 0.75F * random.next()) * (0.55F + 0.45F * size);
+    const float radius = 1.2F + 3.4F * size * size * size;  // texels of a fifth of a millimetre
+    const float crowd = 0.5F + 0.5F * std::sin(2.0F * kTurn * x / kEdge + 1.3F) * std::sin(kTurn * (y - x) / kEdge);
+    const float dark = (0.1F + 0.55F * random.next()) * (0.5F + 0.5F * size) * (0.35F + 0.65F * crowd);
     const float stretch = 0.75F + 0.5F * random.next();
-    const float turn = 6.2831853F * random.next();
+    const float turn = kTurn * random.next();
     const float lobes = 2.0F + std::floor(3.0F * random.next());
-    const float phase = 6.2831853F * random.next();
+    const float phase = kTurn * random.next();
     const int reach = static_cast<int>(std::ceil(2.4F * radius));
     for (int v = -reach; v <= reach; ++v)
       for (int u = -reach; u <= reach; ++u) {
