@@ -40,7 +40,7 @@ std::vector<float> freckleDepth() {
     const float size = random.next();
     const float radius = 1.2F + 3.4F * size * size * size;  // texels of a fifth of a millimetre
     const float crowd = 0.5F + 0.5F * std::sin(2.0F * kTurn * x / kEdge + 1.3F) * std::sin(kTurn * (y - x) / kEdge);
-    const float dark = (0.1F + 0.55F * random.next()) * (0.5F + 0.5F * size) * (0.35F + 0.65F * crowd);
+    const float dark = (0.15F + 0.65F * random.next()) * (0.55F + 0.45F * size) * (0.4F + 0.6F * crowd);
     const float stretch = 0.75F + 0.5F * random.next();
     const float turn = kTurn * random.next();
     const float lobes = 2.0F + std::floor(3.0F * random.next());
