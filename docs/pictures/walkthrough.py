@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """A walk through the editor with mouse and keyboard, as a person would go, and pictures of its steps for the guide.
 
-  dbus-run-session -- python3 docs/pictures/walkthrough.py build/bin/dermis docs/pictures      (with a DISPLAY of 1600 × 1000)
+  dbus-run-session -- docs/pictures/walkthrough.py build/bin/dermis docs/pictures      (with a DISPLAY of 1600 × 1000)
 
 Opens a head, drops a folder of maps on it (the program's own, exported first), chooses an environment, tunes ten
 sliders, compares with a snapshot, saves the preset and a picture; then looks whether preset and picture are what was
