@@ -117,7 +117,8 @@ TEST(PublishedPresets, FrecklesAreSpotsOnAnUntouchedGroundAndTile) {
   ASSERT_EQ(image->pixels.size(), image->rowBytes() * static_cast<std::size_t>(image->height));
   EXPECT_EQ(builtinMap("moles"), nullptr);
   const auto at = [&](int x, int y, int c) {
-    return std::to_integer<int>(image->pixels[static_cast<std::size_t>((y * image->width + x) * 3 + c)]);
+    return std::to_integer<int>(
+        image->pixels[static_cast<std::size_t>(y) * image->rowBytes() + static_cast<std::size_t>(3 * x + c)]);
   };
   int untouched = 0, spots = 0, seam = 0, inside = 0;
   for (int y = 0; y < image->height; ++y) {

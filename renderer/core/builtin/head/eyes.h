@@ -10,8 +10,6 @@ namespace dermis::sculpt {
 [[nodiscard]] Model makeEyeball(int segments);
 /// How far the front of the eye, cornea included, lies before its centre at a distance from its axis, mm.
 [[nodiscard]] float frontOfEye(float radius);
-/// How far the front of the eye, cornea included, lies before its centre at a distance from its axis, mm.
-[[nodiscard]] float frontOfEye(float radius);
 /// The cornea before it, a cap with its rim on the limbus. One slot, lens.
 [[nodiscard]] Model makeCornea(int segments);
 

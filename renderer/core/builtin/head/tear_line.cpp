@@ -55,7 +55,10 @@ void addStrip(Model& model, const std::vector<Section>& sections, bool left) {
       const glm::vec3 along = sections[std::min(s + 1, last)].at(i) - sections[s == 0 ? 0 : s - 1].at(i);
       const glm::vec3 down = sections[s].at(std::min<std::size_t>(i + 1, kAcross)) - sections[s].at(i == 0 ? 0 : i - 1);
       glm::vec3 p = sections[s].at(i), normal = glm::normalize(glm::cross(down, along));
-      if (!left) p.x = -p.x, normal.x = -normal.x;
+      if (!left) {
+        p.x = -p.x;
+        normal.x = -normal.x;
+      }
       model.positions.push_back(asymmetrical(p));
       model.normals.push_back(normal);
       model.uvs.emplace_back(static_cast<float>(s) / static_cast<float>(last), static_cast<float>(i) / kAcross);
