@@ -99,17 +99,18 @@ Result<Image> bakeTexels(const Model& model, const std::string& name, BakedMap m
 
   const bool thickness = map == BakedMap::Thickness;
   const RaySet rays(options.rays, thickness ? kThicknessConeDegrees : 90.0F);
+  const float contact = kContactMm / options.millimetresPerUnit;
   const auto side = static_cast<std::size_t>(options.size);
   std::vector<float> values(side * side, 0.0F);
   const auto work = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Place& place = places[i];
-      values[place.texel] = thickness ? std::min(thicknessAt(*scene, place.position, place.normal, rays,
-                                                             kContactMm / options.millimetresPerUnit)
-                                                         .length *
-                                                     options.millimetresPerUnit,
-                                                 kThickestMm)
-                                      : occlusionOf(hiddenSky(*scene, place.position, place.normal, rays));
+      if (!thickness) {
+        values[place.texel] = occlusionOf(hiddenSky(*scene, place.position, place.normal, rays));
+        continue;
+      }
+      const float length = thicknessAt(*scene, place.position, place.normal, rays, contact).length;
+      values[place.texel] = std::min(length * options.millimetresPerUnit, kThickestMm);
     }
   };
   const auto report = [&](float share) {

@@ -70,10 +70,10 @@ float veins(const SkinPlace& at, const Look& look) {
                               noise(at.p / 14.0F, look.seed + 92));
   // As wide everywhere: where the noise hardly changes, its zero alone would be a patch.
   constexpr float kScale = 24.0F, kStep = 1.0F, kHalfWidth = 0.8F, kLeastSlope = 0.008F;
-  const auto at93 = [&](const glm::vec3& p) { return noise(p / kScale, look.seed + 93); };
-  const float zero = at93(bent);
-  const glm::vec3 slope = (glm::vec3(at93(bent + glm::vec3(kStep, 0, 0)), at93(bent + glm::vec3(0, kStep, 0)),
-                                     at93(bent + glm::vec3(0, 0, kStep))) -
+  const auto field = [&](const glm::vec3& p) { return noise(p / kScale, look.seed + 93); };
+  const float zero = field(bent);
+  const glm::vec3 slope = (glm::vec3(field(bent + glm::vec3(kStep, 0, 0)), field(bent + glm::vec3(0, kStep, 0)),
+                                     field(bent + glm::vec3(0, 0, kStep))) -
                            zero) /
                           kStep;
   const float net = lines(zero / std::max(glm::length(slope), kLeastSlope), kHalfWidth);
