@@ -2,7 +2,7 @@
 # The contact sheet of the built-in presets on the built-in head: presets.sh DERMIS OUT.png [SAMPLES]
 # Needs ImageMagick.
 set -euo pipefail
-dermis=$1 out=$2 samples=${3:-12}
+dermis=$1 out=$2 samples=${3:-40}
 here=$(cd -- "$(dirname -- "$0")" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
