@@ -43,7 +43,7 @@ struct Thickness {
 /// a median does. A ray that never leaves counts as infinite. Over a sphere of radius r the rays of a 30° cone say 7/4
 /// r, and not 2 r. Bodies no further apart than `contact`, in scene units, are one.
 [[nodiscard]] Thickness thicknessAt(const RayScene& scene, const glm::vec3& position, const glm::vec3& normal,
-                                    const RaySet& rays, float contact = 0.0F);
+                                    const RaySet& rays, float contact);
 inline constexpr float kThicknessConeDegrees = 30.0F;
 /// Bodies this near touch: tears fill what is between an eyelid and its eyeball, so that the lid is no thin slab in
 /// air.

@@ -134,10 +134,7 @@ std::optional<RayScene::Hit> RayScene::exitAlong(const glm::vec3& origin, const 
     if (left && leaves) return left;
     left.reset();
     inside += leaves ? -1 : 1;
-    if (inside == 0) {
-      left = Hit{ray.ray.tfar, ray.hit.primID, {ray.hit.u, ray.hit.v}};
-      if (contact <= m_bias) return left;
-    }
+    if (inside == 0) left = Hit{ray.ray.tfar, ray.hit.primID, {ray.hit.u, ray.hit.v}};
     nearest = ray.ray.tfar + m_bias;
   }
   return left;

@@ -42,8 +42,7 @@ class RayScene {
   /// Where a ray that starts inside the material leaves it: through a triangle that faces the way the ray goes. What it
   /// enters on the way is another body inside this one, and is passed through; so is one that begins within `contact`
   /// of where the first ends: they touch, as an eyelid and its eyeball do.
-  [[nodiscard]] std::optional<Hit> exitAlong(const glm::vec3& origin, const glm::vec3& direction,
-                                             float contact = 0.0F) const;
+  [[nodiscard]] std::optional<Hit> exitAlong(const glm::vec3& origin, const glm::vec3& direction, float contact) const;
 
   /// Vertices of the model that a triangle joins.
   [[nodiscard]] const glm::uvec3& corners(std::uint32_t triangle) const { return m_corners[triangle]; }

@@ -15,6 +15,8 @@ constexpr glm::vec3 kUp(0, 1, 0);
 
 /// Roots begin over the skin by half the width of a pixel: one inside it would be taken for the body's far side.
 constexpr float kOffSkin = 0.16F;
+/// Over what length the skin's normal is taken under a hair, mm.
+constexpr float kSlopeDelta = 0.6F;
 
 struct Hair {
   std::vector<glm::vec3> points;  ///< from the root to the tip, left side, in the symmetrical head
@@ -38,12 +40,12 @@ glm::vec3 turnedAbout(const glm::vec3& normal, const glm::vec3& direction, float
 /// leaves the skin by `lift` mm at the tip.
 Hair lyingHair(const Sculpt& sculpt, const glm::vec3& root, glm::vec3 direction, float bend, float length, float lift,
                int pieces) {
-  constexpr float kDelta = 0.6F, kMostStep = 2.0F;
+  constexpr float kMostStep = 2.0F;
   Hair hair;
   glm::vec3 p = root;
   for (int i = 0; i <= pieces; ++i) {
     const float along = static_cast<float>(i) / static_cast<float>(pieces);
-    const Sculpt::Slope slope = sculpt.slope(p, kDelta);
+    const Sculpt::Slope slope = sculpt.slope(p, kSlopeDelta);
     p = slope.onSkin(p, kMostStep);
     const glm::vec3 normal = glm::normalize(slope.gradient);
     hair.points.push_back(p + normal * (kOffSkin + lift * (1.0F - squared(1.0F - along))));
@@ -72,7 +74,7 @@ void growBrow(const Sculpt& sculpt, Random& random, int pieces, std::vector<Hair
     // Along the brow in space: its tail lies on the side of the head, where its front view is short.
     const glm::vec3 root = onFront(sculpt, x, y);
     const glm::vec3 outwards = glm::normalize(onFront(sculpt, x + 1.0F, y + brow.slope(x)) - root);
-    const glm::vec3 normal = glm::normalize(sculpt.slope(root, 0.6F).gradient);
+    const glm::vec3 normal = glm::normalize(sculpt.slope(root, kSlopeDelta).gradient);
     Hair hair = lyingHair(sculpt, root, turnedAbout(normal, outwards, angle), -0.35F - 0.25F * random.next(), length,
                           random.between(0.35F, 1.0F), pieces);
     hair.radius = random.between(0.045F, 0.07F);
