@@ -10,6 +10,7 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <cmath>
+#include <utility>
 
 namespace dermis {
 
@@ -54,7 +55,10 @@ class GlWidget::ComposedSurface final : public Surface {
   void doneCurrent() override { m_inner->doneCurrent(); }
   [[nodiscard]] unsigned framebuffer() const override { return m_inner->defaultFramebufferObject(); }
   void requestFrame() override { m_inner->update(); }
-  QImage grabFrame() override { return m_inner->grabFramebuffer(); }
+  QImage grabFrame() override {
+    m_inner->update();  // shows what is drawn here, if nothing else asks for it
+    return m_inner->grabFramebuffer();
+  }
   void renewContext() override {
     // Where Qt has noticed that the context is lost, it makes another by itself.
     if (context() == nullptr || !context()->isValid()) return;
@@ -115,11 +119,9 @@ class GlWidget::CopiedSurface final : public Surface {
     requestFrame();
   }
   void paint() override {
-    if (m_wanted || m_picture.size() != pixels()) {
-      draw();
-      // What is painted now is in the window when the event loop goes on.
-      QTimer::singleShot(0, &m_host, &GlWidget::frameShown);
-    }
+    if (m_wanted || m_picture.size() != pixels()) draw();
+    // What is painted now is in the window when the event loop goes on. A frame drawn to be grabbed is shown as well.
+    if (std::exchange(m_isNew, false)) QTimer::singleShot(0, &m_host, &GlWidget::frameShown);
     QPainter painter(&m_host);
     if (m_picture.isNull())
       painter.fillRect(m_host.rect(), Qt::black);
@@ -167,6 +169,7 @@ class GlWidget::CopiedSurface final : public Surface {
     m_picture = m_target->toImage();
     m_picture.reinterpretAsFormat(QImage::Format_RGB32);  // alpha is no business of the window's
     m_picture.setDevicePixelRatio(m_host.devicePixelRatioF());
+    m_isNew = true;
     m_context->doneCurrent();
   }
 
@@ -175,6 +178,7 @@ class GlWidget::CopiedSurface final : public Surface {
   std::unique_ptr<QOpenGLFramebufferObject> m_target;
   QImage m_picture;
   bool m_wanted = true;
+  bool m_isNew = false;  ///< drawn and not painted yet
 };
 
 // --- either of them
