@@ -56,27 +56,29 @@ std::array<glm::dvec3, 9> sphericalHarmonics9(const RadianceMap& map) {
 
 Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance, bool floats) {
   const int n = irradiance.faceSize;
-  const std::byte* texel = irradiance.bytes.data();
+  const float side = static_cast<float>(n);
+  const std::size_t texelBytes = 4 * (floats ? sizeof(float) : sizeof(std::uint16_t));
+  const std::size_t faceBytes = static_cast<std::size_t>(n) * static_cast<std::size_t>(n) * texelBytes;
   std::array<glm::dvec3, 9> sums{};
-  for (int face = 0; face < 6; ++face)
-    for (int y = 0; y < n; ++y)
-      for (int x = 0; x < n; ++x) {
-        std::array<float, 4> rgba{};
+  std::size_t offset = 0;
+  for (int y = 0; y < n; ++y)
+    for (int x = 0; x < n; ++x, offset += texelBytes) {
+      const double omega = cubeTexelSolidAngle(x, y, n);  // the same on all faces
+      for (int face = 0; face < 6; ++face) {
+        const std::byte* texel = irradiance.bytes.data() + static_cast<std::size_t>(face) * faceBytes + offset;
+        glm::vec4 rgba;
         if (floats) {
-          std::memcpy(rgba.data(), texel, sizeof rgba);
-          texel += sizeof rgba;
+          std::memcpy(&rgba, texel, sizeof rgba);
         } else {
           std::uint64_t halves = 0;
           std::memcpy(&halves, texel, sizeof halves);
-          texel += sizeof halves;
-          const glm::vec4 value = glm::unpackHalf4x16(halves);
-          rgba = {value.x, value.y, value.z, value.w};
+          rgba = glm::unpackHalf4x16(halves);
         }
-        const float side = static_cast<float>(n);
         const glm::vec3 d =
             cubeDirection(face, (static_cast<float>(x) + 0.5F) / side, (static_cast<float>(y) + 0.5F) / side);
-        add(sums, d, glm::dvec3(rgba[0], rgba[1], rgba[2]) * cubeTexelSolidAngle(x, y, n));
+        add(sums, d, glm::dvec3(rgba) * omega);
       }
+    }
   Harmonics<glm::vec3> radiance{};
   for (std::size_t i = 0; i < 9; ++i) radiance[i] = glm::vec3(sums[i] / kCosineLobe<double>[i]);
   return radiance;
