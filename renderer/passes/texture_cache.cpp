@@ -82,7 +82,7 @@ bool TextureCache::step(Warnings& messages) {
     if (next.prepared.valid() || next.upload) continue;
     next.prepared = std::async(std::launch::async, [image = next.image, recipe = next.recipe] {
       giveWay();
-      return prepareTexture(*image, recipe);
+      return prepareTexture(image, recipe);
     });
   }
   Pending& first = m_pending.front();
@@ -116,7 +116,7 @@ std::shared_ptr<const gl::Texture> TextureCache::get(const std::shared_ptr<const
   if (std::any_of(m_pending.begin(), m_pending.end(), same)) return nullptr;
 
   const TextureRecipe recipe = recipeFor(*image, binding, slot, messages);
-  PreparedTexture prepared = prepareTexture(*image, recipe);
+  PreparedTexture prepared = prepareTexture(image, recipe);
   messages.insert(messages.end(), prepared.messages.begin(), prepared.messages.end());
   TextureUpload upload(std::move(prepared), m_anisotropy, image->name);
   while (!upload.step(kSliceBytes)) {

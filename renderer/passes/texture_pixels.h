@@ -5,8 +5,6 @@
 
 namespace dermis {
 
-/// First row last.
-[[nodiscard]] Image flippedRows(const Image& image);
 /// Grey to RGB, grey and alpha to RGBA, same pixel type: GL has no sRGB format of one or two channels.
 [[nodiscard]] Image greyToColour(const Image& image);
 /// One channel of several, counted from 0, same pixel type.

@@ -1,6 +1,7 @@
 #include "passes/texture_upload.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "core/image/image_tiles.h"
 #include "passes/texture_pixels.h"
@@ -35,64 +36,55 @@ GlFormat formatFor(const Image& image, bool srgb) {
 }
 
 /// One picture's levels.
-std::vector<Image> prepareLevels(const Image& image, const TextureRecipe& recipe, bool& srgb, Warnings& messages) {
+std::vector<PreparedTexture::Level> prepareLevels(const std::shared_ptr<const Image>& image,
+                                                  const TextureRecipe& recipe, bool& srgb, Warnings& messages) {
   // What the GPU decodes itself stays as it is; the rest becomes linear here.
-  const Image* source = &image;
-  Image changed;
+  PreparedTexture::Level source = image;
+  const auto becomes = [&](Image changed) { source = std::make_shared<const Image>(std::move(changed)); };
   srgb = recipe.colour.decode == TextureColour::Decode::Srgb;
   if (srgb && !recipe.channel && source->type == PixelType::U8 && source->channels <= 2) {
-    changed = greyToColour(*source);
-    source = &changed;
+    becomes(greyToColour(*source));
   } else if (srgb && (recipe.channel || source->type != PixelType::U8)) {
-    changed = srgbToLinear(*source);
-    source = &changed;
+    becomes(srgbToLinear(*source));
     srgb = false;
   } else if (recipe.colour.decode == TextureColour::Decode::Convert) {
-    changed = toFloatRgba(*source);
-    recipe.colour.convert(reinterpret_cast<float*>(changed.pixels.data()),
-                          static_cast<std::size_t>(changed.width) * static_cast<std::size_t>(changed.height));
-    changed = toHalf(changed);
-    source = &changed;
+    Image linear = toFloatRgba(*source);
+    recipe.colour.convert(reinterpret_cast<float*>(linear.pixels.data()),
+                          static_cast<std::size_t>(linear.width) * static_cast<std::size_t>(linear.height));
+    becomes(toHalf(linear));
   }
-  if (recipe.channel) {
-    changed = onlyChannel(*source, *recipe.channel);
-    source = &changed;
-  }
+  if (recipe.channel) becomes(onlyChannel(*source, *recipe.channel));
   // Some detail maps keep a height in the blue of a normal.
-  if (recipe.isNormal && lacksZ(*source)) {
-    changed = withZ(*source);
-    source = &changed;
-  }
+  if (recipe.isNormal && lacksZ(*source)) becomes(withZ(*source));
   if (source->width > recipe.maximumSize || source->height > recipe.maximumSize) {
     const int width = source->width;
     const int height = source->height;
-    changed = reduced(*source, recipe.maximumSize, srgb);
-    source = &changed;
-    messages.push_back(image.name + ": " + std::to_string(width) + " × " + std::to_string(height) +
+    becomes(reduced(*source, recipe.maximumSize, srgb));
+    messages.push_back(image->name + ": " + std::to_string(width) + " × " + std::to_string(height) +
                        " pixels is more than the graphics driver takes; reduced to " + std::to_string(source->width) +
                        " × " + std::to_string(source->height) + ".");
   }
-  // Rows come from the top, texture coordinates count from the bottom.
-  std::vector<Image> levels;
-  levels.push_back(flippedRows(*source));
+  std::vector<PreparedTexture::Level> levels = {source};
   // Made here and not by the driver: software GL would compile a program for each format first.
-  while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back(), srgb));
+  while (levels.back()->width > 1 || levels.back()->height > 1)
+    levels.push_back(std::make_shared<const Image>(halved(*levels.back(), srgb)));
   return levels;
 }
 
 }  // namespace
 
-PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) {
+PreparedTexture prepareTexture(const std::shared_ptr<const Image>& image, const TextureRecipe& recipe) {
   PreparedTexture prepared;
   prepared.isOneChannel = recipe.channel.has_value();
-  if (image.tiles.empty()) {
+  if (image->tiles.empty()) {
     prepared.layers.push_back(prepareLevels(image, recipe, prepared.srgb, prepared.messages));
     return prepared;
   }
   prepared.isSet = true;
-  for (std::size_t i = 0; i < image.tiles.size(); ++i) {
+  for (std::size_t i = 0; i < image->tiles.size(); ++i) {
     Warnings said;
-    prepared.layers.push_back(prepareLevels(tileOf(image, i), recipe, prepared.srgb, said));
+    const auto tile = std::make_shared<const Image>(tileOf(*image, i));
+    prepared.layers.push_back(prepareLevels(tile, recipe, prepared.srgb, said));
     if (i == 0) prepared.messages = std::move(said);  // the same for all
   }
   return prepared;
@@ -100,7 +92,7 @@ PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe) 
 
 TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const std::string& label)
     : m_prepared(std::move(prepared)) {
-  const Image& first = m_prepared.layers.front().front();
+  const Image& first = *m_prepared.layers.front().front();
   const bool isSet = m_prepared.isSet;
   m_texture = gl::Texture::create({.target = isSet ? GLenum{GL_TEXTURE_2D_ARRAY} : GLenum{GL_TEXTURE_2D},
                                    .format = formatFor(first, m_prepared.srgb).internal,
@@ -120,25 +112,31 @@ TextureUpload::TextureUpload(PreparedTexture prepared, float anisotropy, const s
 }
 
 bool TextureUpload::step(std::size_t bytes) {
+  // So few at once that they are still in the processor's cache when the driver reads them.
+  constexpr std::size_t kRowBytes = 256U << 10U;
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   std::size_t sent = 0;
   while (m_layer < m_prepared.layers.size() && sent < bytes) {
-    std::vector<Image>& levels = m_prepared.layers[m_layer];
-    Image& level = levels[m_level];
+    std::vector<PreparedTexture::Level>& levels = m_prepared.layers[m_layer];
+    const Image& level = *levels[m_level];
     const GlFormat format = formatFor(level, m_prepared.srgb);
     const std::size_t row = level.rowBytes();
-    const int rows = std::min(level.height - m_row, static_cast<int>(std::max<std::size_t>((bytes - sent) / row, 1)));
-    const std::byte* from = level.pixels.data() + static_cast<std::size_t>(m_row) * row;
+    const int rows = std::min(level.height - m_row, static_cast<int>(std::max<std::size_t>(kRowBytes / row, 1)));
+    // Rows come from the top, texture coordinates count from the bottom.
+    m_rows.resize(static_cast<std::size_t>(rows) * row);
+    for (int i = 0; i < rows; ++i)
+      std::memcpy(m_rows.data() + static_cast<std::size_t>(i) * row,
+                  level.pixels.data() + static_cast<std::size_t>(level.height - 1 - m_row - i) * row, row);
     const auto mip = static_cast<GLint>(m_level);
     if (m_prepared.isSet)
       glTextureSubImage3D(m_texture.id(), mip, 0, m_row, static_cast<GLint>(m_layer), level.width, rows, 1,
-                          format.format, format.type, from);
+                          format.format, format.type, m_rows.data());
     else
-      glTextureSubImage2D(m_texture.id(), mip, 0, m_row, level.width, rows, format.format, format.type, from);
+      glTextureSubImage2D(m_texture.id(), mip, 0, m_row, level.width, rows, format.format, format.type, m_rows.data());
     sent += static_cast<std::size_t>(rows) * row;
     m_row += rows;
     if (m_row < level.height) continue;
-    level.pixels = {};
+    levels[m_level].reset();
     m_row = 0;
     if (++m_level < levels.size()) continue;
     m_level = 0;

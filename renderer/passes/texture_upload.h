@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,16 +22,17 @@ struct TextureRecipe {
   int maximumSize = 0;
 };
 
-/// Levels as the GPU takes them, first row lowest.
+/// Levels as the GPU takes them, but for the order of their rows: the first is the highest, as in any image.
 struct PreparedTexture {
-  std::vector<std::vector<Image>> layers;  ///< each with its levels: one, or one a UDIM tile
+  using Level = std::shared_ptr<const Image>;
+  std::vector<std::vector<Level>> layers;  ///< each with its levels: one, or one a UDIM tile
   bool isSet = false;                      ///< an array texture, else a plain one
   bool srgb = false;                       ///< the GPU decodes
   bool isOneChannel = false;               ///< whichever is asked for
   Warnings messages;
 };
-/// Slow for a large image; touches no OpenGL.
-[[nodiscard]] PreparedTexture prepareTexture(const Image& image, const TextureRecipe& recipe);
+/// Slow for a large image; touches no OpenGL. An image that may stay as it is becomes the first level itself.
+[[nodiscard]] PreparedTexture prepareTexture(const std::shared_ptr<const Image>& image, const TextureRecipe& recipe);
 
 /// A texture on its way to the GPU.
 class TextureUpload {
@@ -43,6 +45,7 @@ class TextureUpload {
  private:
   PreparedTexture m_prepared;
   gl::Texture m_texture;
+  std::vector<std::byte> m_rows;  ///< some of a level, first row lowest
   std::size_t m_layer = 0, m_level = 0;
   int m_row = 0;
 };

@@ -107,12 +107,12 @@ TEST(FrameTextureLevels, OneChannelAloneIsKeptOfAPackedMap) {
   TextureRecipe recipe;
   recipe.maximumSize = 16;
   recipe.channel = 2;
-  const PreparedTexture prepared = prepareTexture(*image, recipe);
+  const PreparedTexture prepared = prepareTexture(image, recipe);
   ASSERT_EQ(prepared.layers.size(), 1U);
   ASSERT_EQ(prepared.layers[0].size(), 2U) << "two mips";
-  EXPECT_EQ(prepared.layers[0][0].pixels, (std::vector<std::byte>{std::byte{153}, std::byte{204}}));
-  ASSERT_EQ(prepared.layers[0][1].pixels.size(), 1U);
-  EXPECT_NEAR(std::to_integer<int>(prepared.layers[0][1].pixels[0]), 178, 1);
+  EXPECT_EQ(prepared.layers[0][0]->pixels, (std::vector<std::byte>{std::byte{153}, std::byte{204}}));
+  ASSERT_EQ(prepared.layers[0][1]->pixels.size(), 1U);
+  EXPECT_NEAR(std::to_integer<int>(prepared.layers[0][1]->pixels[0]), 178, 1);
 }
 
 TEST_F(FrameTextures, ThesisDecodesItsAlbedoItself) {
