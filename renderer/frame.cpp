@@ -125,7 +125,7 @@ std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneRes
       request.moving ? kBeautyOnly | bitOf(sceneImageOf(request.aov)) : m_kept | bitOf(sceneImageOf(request.aov));
   const SceneImages images = wanted != kBeautyOnly || isSplit(*scene) ? wanted | kSplit : wanted;
   const bool multisampled = request.moving && !m_software && images == kBeautyOnly;
-  auto prepared = m_targets.prepare(request.size, images, request.exactDisplay, multisampled);
+  auto prepared = m_targets.prepare(request.size, images, request.exactDisplay && !request.eightBits, multisampled);
   if (!prepared) {
     m_messages.say(prepared.error().message);
     return std::nullopt;

@@ -72,6 +72,7 @@ struct FrameRequest {
   int targetSamples = 64;
   bool withoutSubsurface = false;  ///< light leaves where it entered, to see what diffusion does
   bool exactDisplay = false;       ///< exports: OCIO's exact program rather than the baked LUT
+  bool eightBits = false;          ///< of which only eight bits a channel are wanted: half floats hold its radiance
   double seconds = 0.0;            ///< time for the lights' animation
   unsigned framebuffer = 0;        ///< GL framebuffer to put the displayed picture in; 0 without a window: none
   glm::ivec2 displaySize{0};       ///< of that framebuffer, where the picture is drawn smaller and enlarged; 0: size

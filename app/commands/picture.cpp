@@ -16,6 +16,13 @@ namespace fs = std::filesystem;
 
 bool isRaw(const Look& look) { return look.resolved.scene.view.transform == "Raw"; }
 
+/// What a file of this name holds a channel.
+PixelType depthOf(const fs::path& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".exr") return PixelType::Float;
+  return extension == ".tif" || extension == ".tiff" ? PixelType::U16 : PixelType::U8;
+}
+
 std::vector<std::string> channelNames(const Image& image) {
   static const std::vector<std::string> kNames = {"R", "G", "B", "A"};
   return {kNames.begin(), kNames.begin() + image.channels};
@@ -87,6 +94,7 @@ Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& lo
   frame.targetSamples = request.samples;
   frame.references = request.references;
   frame.exactDisplay = true;
+  frame.eightBits = depthOf(request.output) == PixelType::U8;
   for (int sample = 0; sample < request.samples; ++sample) {
     if (!renderer.renderFrame(frame)) {
       const Warnings messages = renderer.takeMessages();
@@ -103,9 +111,7 @@ Outcome<std::vector<ImageLayer>> renderLayers(Renderer& renderer, const Look& lo
   const std::string extension = extensionOf(request.output);
   const bool exr = extension == ".exr";
   const auto shown = [&](Aov aov) {
-    const bool sixteen = extension == ".tif" || extension == ".tiff";
-    return withoutAlpha(renderer.readView(aov, frame.view, sixteen ? PixelType::U16 : PixelType::U8),
-                        extension.starts_with(".jp"));
+    return withoutAlpha(renderer.readView(aov, frame.view, depthOf(request.output)), extension.starts_with(".jp"));
   };
   ImageLayer beauty;
   if (exr) {

@@ -14,6 +14,11 @@
 namespace dermis {
 namespace {
 
+bool isExr(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".exr" || ending == ".EXR";
+}
+
 std::vector<std::string> channelNames(int channels) {
   static const std::vector<std::string> kNames = {"R", "G", "B", "A"};
   return channels == 1 ? std::vector<std::string>{"R"}
@@ -71,7 +76,7 @@ Result<void> write(Renderer& renderer, const ResolvedScene& scene, const Picture
   if (ending == ".png" || ending == ".PNG") return writePng(path, renderer.readDisplay(view, PixelType::U8), texts);
 
   std::vector<ImageLayer> layers(1);
-  if (ending == ".exr" || ending == ".EXR")
+  if (isExr(path))
     layers[0].image = view.transform == "Raw" ? renderer.readAov(Aov::Beauty)
                                               : asPremultipliedFloat(renderer.readDisplay(view, PixelType::U16));
   else
@@ -145,6 +150,7 @@ struct Work {
     frame.view = seen.scene.view;
     frame.targetSamples = request.samples;
     frame.exactDisplay = true;
+    frame.eightBits = !isExr(request.path);
     frame.references = request.references;
     const auto partly = [&](double fraction) { progress(done + share * fraction); };
     const Result<void> drawn = accumulate(renderer, frame, partly, stop);
