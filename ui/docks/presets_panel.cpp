@@ -8,6 +8,8 @@
 #include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <functional>
+#include <utility>
 
 #include "ui/browse/list_place.h"
 #include "ui/browse/preset_list.h"
@@ -25,6 +27,19 @@ const QString kSearchKey = QStringLiteral("presets/search");
 const QString kTagKey = QStringLiteral("presets/tag");
 const QString kScrollKey = QStringLiteral("presets/scroll");
 const QString kSelectedKey = QStringLiteral("presets/selected");
+
+/// Its picture is looked for when it is seen: most of the list is not when the window opens.
+class PresetItem : public QListWidgetItem {
+ public:
+  PresetItem(const QString& name, QListWidget* list, std::function<QIcon()> icon)
+      : QListWidgetItem(name, list), m_icon(std::move(icon)) {}
+  [[nodiscard]] QVariant data(int role) const override {
+    return role == Qt::DecorationRole ? QVariant(m_icon()) : QListWidgetItem::data(role);
+  }
+
+ private:
+  std::function<QIcon()> m_icon;
+};
 }  // namespace
 
 PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& preferences, QWidget* parent)
@@ -93,13 +108,12 @@ void PresetsPanel::fill() {
     const QSignalBlocker blocker(m_list);
     m_list->clear();
     for (const PresetEntry& entry : m_library.entries()) {
-      auto* item = new QListWidgetItem(entry.name, m_list);
+      auto* item = new PresetItem(entry.name, m_list, [this, path = entry.path] { return iconOf(path); });
       item->setData(PresetList::kPathRole, entry.path);
       item->setData(PresetList::kKeyRole, entry.key);
       item->setData(PresetList::kTagsRole, entry.tags);
       item->setData(PresetList::kNameRole, entry.name);
       item->setToolTip(QStringLiteral("%1\n%2\n%3").arg(entry.name, entry.tags.join(QStringLiteral(", ")), entry.path));
-      item->setIcon(iconOf(entry));
       if (entry.path == chosen) m_list->setCurrentItem(item);
     }
   }
@@ -116,11 +130,14 @@ void PresetsPanel::fill() {
   m_thumbnails.want(m_library.entries());
 }
 
-QIcon PresetsPanel::iconOf(const PresetEntry& entry) {
-  QIcon& icon = m_icons[entry.key];
+QIcon PresetsPanel::iconOf(const QString& path) {
+  const PresetEntry* entry = m_library.find(path);
+  if (entry == nullptr) return {};
+  QIcon& icon = m_icons[entry->key];
   if (!icon.isNull()) return icon;
-  QImage picture = m_thumbnails.find(entry);
-  if (picture.isNull()) picture = entry.ball.isNull() ? materialBall(entry.material, PresetEntry::kBall) : entry.ball;
+  QImage picture = m_thumbnails.find(*entry);
+  if (picture.isNull())
+    picture = entry->ball.isNull() ? materialBall(entry->material, PresetEntry::kBall) : entry->ball;
   icon = QIcon(QPixmap::fromImage(picture));
   return icon;
 }
@@ -193,12 +210,7 @@ void PresetsPanel::revert() { m_loading.revertToPreset(m_document.editedSlots())
 
 void PresetsPanel::showThumbnail(const QString& key) {
   m_icons.remove(key);
-  for (int i = 0; i < m_list->count(); ++i) {
-    QListWidgetItem* item = m_list->item(i);
-    if (item->data(PresetList::kKeyRole).toString() != key) continue;
-    const PresetEntry* entry = m_library.find(item->data(PresetList::kPathRole).toString());
-    if (entry != nullptr) item->setIcon(iconOf(*entry));
-  }
+  m_list->viewport()->update();
 }
 
 void PresetsPanel::showProgress(int done, int waiting) {

@@ -67,7 +67,7 @@ class PresetsPanel : public QWidget {
   void takeAwaited();
   void select(const QString& path);
   /// Its thumbnail, or a ball until there is one.
-  [[nodiscard]] QIcon iconOf(const PresetEntry& entry);
+  [[nodiscard]] QIcon iconOf(const QString& path);
   void tell(const Error& error);
   [[nodiscard]] const PresetEntry* selected() const;
 

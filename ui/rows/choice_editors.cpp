@@ -2,15 +2,27 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QStyleOptionComboBox>
 #include <QWheelEvent>
+#include <algorithm>
 
 namespace dermis {
 
 QuietComboBox::QuietComboBox(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
-  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  setMinimumContentsLength(6);
   setMaxVisibleItems(20);
+}
+
+QSize QuietComboBox::sizeHint() const {
+  // QComboBox has a policy that gives this size, AdjustToMinimumContentsLengthWithIcon, but setting it makes the list
+  // that drops down, of each box when the window is made.
+  constexpr int kCharacters = 6, kBesideIcon = 4, kAround = 2;
+  QStyleOptionComboBox option;
+  initStyleOption(&option);
+  const QFontMetrics metrics = fontMetrics();
+  const QSize content(kCharacters * metrics.horizontalAdvance(QLatin1Char('X')) + iconSize().width() + kBesideIcon,
+                      std::max(metrics.height(), iconSize().height()) + kAround);
+  return style()->sizeFromContents(QStyle::CT_ComboBox, &option, content, this);
 }
 
 void QuietComboBox::wheelEvent(QWheelEvent* event) {

@@ -9,11 +9,14 @@ class QCheckBox;
 
 namespace dermis {
 
-/// A combo box that the wheel turns only when it has the focus, so that scrolling a panel changes nothing.
+/// A combo box that the wheel turns only when it has the focus, so that scrolling a panel changes nothing, and that is
+/// as narrow as its place wants it.
 class QuietComboBox : public QComboBox {
   Q_OBJECT
  public:
   explicit QuietComboBox(QWidget* parent = nullptr);
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
