@@ -404,11 +404,8 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   const gl::Framebuffer& encoded = m_targets.encoded();
   encoded.bind();
   m_display.draw(m_shaders, m_messages, request.view, input);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(shown.lower.x, shown.lower.y, shown.upper.x - shown.lower.x, shown.upper.y - shown.lower.y);
-  glBlitNamedFramebuffer(encoded.id(), request.framebuffer, 0, 0, request.size.x, request.size.y, 0, 0, size.x, size.y,
-                         GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);
+  DisplayPass::enlarge(m_shaders, m_messages, m_targets.encodedImage(), size, shown);
 }
 
 std::vector<PassTime> Frame::passTimes() {

@@ -11,6 +11,33 @@ namespace {
 constexpr GLuint kImageUnit = 0;
 constexpr GLuint kFirstViewUnit = 1;  // of the LUT, or of an exact program's textures
 
+/// The program of full_screen.vert and a fragment shader without variants, in use; null with a message.
+const gl::Program* useFullScreen(gl::ShaderLibrary& shaders, MessageLog& messages, const char* fragment) {
+  gl::ProgramSources sources;
+  sources.vertex = "full_screen.vert";
+  sources.fragment = fragment;
+  auto found = shaders.program(sources);
+  if (!found) {
+    messages.say(found.error().message);
+    return nullptr;
+  }
+  (*found)->use();
+  return *found;
+}
+
+/// With nothing but the program between the image and the framebuffer that is bound.
+void drawInto(glm::ivec2 size, const PixelArea& shown) {
+  glViewport(0, 0, size.x, size.y);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(shown.lower.x, shown.lower.y, std::max(shown.upper.x - shown.lower.x, 0),
+            std::max(shown.upper.y - shown.lower.y, 0));
+  gl::drawFullScreen();
+  glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
 
 DisplayPass::View* DisplayPass::viewFor(const ViewSettings& settings, MessageLog& messages) {
@@ -140,32 +167,25 @@ bool DisplayPass::drawAreas(gl::ShaderLibrary& shaders, MessageLog& messages, Vi
 void DisplayPass::drawData(gl::ShaderLibrary& shaders, MessageLog& messages, Aov aov,
                            const std::optional<ValueRange>& range, const gl::Texture& image, float weight,
                            glm::ivec2 size, const PixelArea& shown) {
-  gl::ProgramSources sources;
-  sources.vertex = "full_screen.vert";
-  sources.fragment = "aov.frag";
-  auto found = shaders.program(sources);
-  if (!found) {
-    messages.say(found.error().message);
-    return;
-  }
-  const gl::Program& program = **found;
-  program.use();
+  const gl::Program* program = useFullScreen(shaders, messages, "aov.frag");
+  if (program == nullptr) return;
   image.bind(kImageUnit);
   const glm::vec2 scale = glm::vec2(image.width(), image.height()) / glm::vec2(size);
   const ValueRange ends = range.value_or(ValueRange{});
-  glUniform1i(program.uniform("u_aov"), static_cast<int>(aov));
-  glUniform1f(program.uniform("u_weight"), weight);
-  glUniform2f(program.uniform("u_range"), ends.low, ends.high);
-  glUniform2f(program.uniform("u_scale"), scale.x, scale.y);
-  glViewport(0, 0, size.x, size.y);
-  glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(shown.lower.x, shown.lower.y, std::max(shown.upper.x - shown.lower.x, 0),
-            std::max(shown.upper.y - shown.lower.y, 0));
-  gl::drawFullScreen();
-  glDisable(GL_SCISSOR_TEST);
+  glUniform1i(program->uniform("u_aov"), static_cast<int>(aov));
+  glUniform1f(program->uniform("u_weight"), weight);
+  glUniform2f(program->uniform("u_range"), ends.low, ends.high);
+  glUniform2f(program->uniform("u_scale"), scale.x, scale.y);
+  drawInto(size, shown);
+}
+
+void DisplayPass::enlarge(gl::ShaderLibrary& shaders, MessageLog& messages, const gl::Texture& encoded, glm::ivec2 size,
+                          const PixelArea& shown) {
+  const gl::Program* program = useFullScreen(shaders, messages, "enlarge.frag");
+  if (program == nullptr) return;
+  encoded.bind(kImageUnit);
+  glUniform2f(program->uniform("u_scale"), 1.0F / static_cast<float>(size.x), 1.0F / static_cast<float>(size.y));
+  drawInto(size, shown);
 }
 
 glm::vec3 DisplayPass::encoded(const glm::vec4& scene, const ViewSettings& settings, MessageLog& messages) {

@@ -39,6 +39,10 @@ class DisplayPass {
                        const std::optional<ValueRange>& range, const gl::Texture& image, float weight, glm::ivec2 size,
                        const PixelArea& shown);
 
+  /// Shows a picture that draw() has encoded, bilinearly, in the framebuffer that is bound, of `size` pixels.
+  static void enlarge(gl::ShaderLibrary& shaders, MessageLog& messages, const gl::Texture& encoded, glm::ivec2 size,
+                      const PixelArea& shown);
+
   /// What draw() would show of one premultiplied scene value, 0..1 and unassociated, by the view's own program.
   [[nodiscard]] glm::vec3 encoded(const glm::vec4& scene, const ViewSettings& view, MessageLog& messages);
 

@@ -83,6 +83,7 @@ class RenderTargets {
   [[nodiscard]] const gl::Framebuffer& radiances() const { return m_radiances; }
   /// Eight bits a channel, as a display takes them; made at the first call.
   [[nodiscard]] const gl::Framebuffer& encoded();
+  [[nodiscard]] const gl::Texture& encodedImage() const { return m_encoded; }
   /// Draws into all images that the surface pass writes, or into the picture alone.
   void drawToAll() const;
   void drawToBeauty() const;

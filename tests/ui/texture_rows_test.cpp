@@ -2,6 +2,7 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QDesktopServices>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMenu>
@@ -9,6 +10,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
+#include <QToolButton>
 
 #include "core/material/preset_io.h"
 #include "ui/docks/texture_row.h"
@@ -36,6 +38,7 @@ class TextureRows : public Editor {
     window->loading().openModel(ModelSource{{}, "sphere", {}, std::nullopt});
     ASSERT_TRUE(waitIdle());
     undo().clear();
+    reveal(row("albedo"));
   }
   /// A sphere has one slot.
   QString slot() { return document().currentSlot(); }
@@ -71,6 +74,19 @@ class TextureRows : public Editor {
   }
   using Editor::picture;
 };
+
+TEST_F(TextureRows, RowsThatNobodySeesFollowWhenTheyAreSeen) {
+  auto* clear = find<QToolButton>(QStringLiteral("texture.roughness.clear"));
+  ASSERT_TRUE(clear->isHidden());
+  QWidget* dock = row("roughness");
+  while (qobject_cast<QDockWidget*>(dock) == nullptr) dock = dock->parentWidget();
+  dock->hide();
+  window->loading().assignTexture({slot()}, TextureSlot::Roughness, image("late.png", Qt::red).toStdString());
+  ASSERT_TRUE(waitIdle());
+  EXPECT_TRUE(clear->isHidden());
+  reveal(row("roughness"));
+  EXPECT_TRUE(clear->isVisible()) << "the row of a map that is there";
+}
 
 TEST_F(TextureRows, AFileDroppedOnARowIsBoundAndSeen) {
   const QImage before = picture();

@@ -216,9 +216,11 @@ void TextureRow::showBinding(const TextureBinding& binding, const std::shared_pt
                   : missing ? tr("The file is missing") + stays
                   : broken  ? tr("The file can't be read") + stays
                             : describe(*image));
-  m_size->setProperty("warning", missing || broken);
-  m_size->style()->unpolish(m_size);
-  m_size->style()->polish(m_size);
+  if (const bool warns = missing || broken; m_size->property("warning").toBool() != warns) {
+    m_size->setProperty("warning", warns);
+    m_size->style()->unpolish(m_size);
+    m_size->style()->polish(m_size);
+  }
   m_locate->setVisible(missing || (broken && !image));
   m_clear->setVisible(present);
   m_reload->setVisible(present && !namesNoFile(binding.path));

@@ -30,6 +30,7 @@ class TexturesPanel : public Panel {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void connectRow(TextureRow* row, TextureSlot slot);
@@ -41,6 +42,7 @@ class TexturesPanel : public Panel {
   void showReport(const QString& report);
   void refresh();
 
+  bool m_isStale = true;  ///< the rows show what was before
   Document& m_document;
   Loading& m_loading;
   MapWatcher* m_watcher = nullptr;
