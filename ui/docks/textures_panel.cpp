@@ -180,14 +180,14 @@ void TexturesPanel::dropEvent(QDropEvent* event) {
   take(std::nullopt, localPaths(event->mimeData()));
 }
 
-void TexturesPanel::showEvent(QShowEvent* event) {
-  Panel::showEvent(event);
-  if (m_isStale) refresh();
+void TexturesPanel::setSeen(bool seen) {
+  m_isSeen = seen;
+  if (m_isSeen && m_isStale) refresh();
 }
 
 void TexturesPanel::refresh() {
-  // Behind another dock's tab nobody sees it: neither the window's opening nor a slider that moves waits for its rows.
-  m_isStale = !isVisible();
+  // Behind another dock's tab: neither the window's opening nor a slider that moves waits for its rows.
+  m_isStale = !m_isSeen;
   if (m_isStale) return;
   const SlotLook* look = m_document.currentLook();
   setEnabled(look != nullptr);

@@ -26,11 +26,12 @@ class TexturesPanel : public Panel {
   void chooseFolder();
   /// The missing map of the current slot is in that file now.
   void locate(TextureSlot slot, const QString& path);
+  /// Whether the dock is to be seen: what changes meanwhile is shown then.
+  void setSeen(bool seen);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
-  void showEvent(QShowEvent* event) override;
 
  private:
   void connectRow(TextureRow* row, TextureSlot slot);
@@ -42,6 +43,7 @@ class TexturesPanel : public Panel {
   void showReport(const QString& report);
   void refresh();
 
+  bool m_isSeen = false;
   bool m_isStale = true;  ///< the rows show what was before
   Document& m_document;
   Loading& m_loading;

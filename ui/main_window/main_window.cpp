@@ -110,6 +110,8 @@ void MainWindow::buildDocks() {
   m_docks->addPanel<HistoryPanel>(tr("History"), QStringLiteral("history"), m_document.undoStack());
   connect(qobject_cast<QDockWidget*>(m_diffusion->parentWidget()), &QDockWidget::visibilityChanged, m_diffusion,
           &DiffusionPanel::setSeen);
+  connect(qobject_cast<QDockWidget*>(m_textures->parentWidget()), &QDockWidget::visibilityChanged, m_textures,
+          &TexturesPanel::setSeen);
   m_tools->addDocks(*m_docks);
   m_tools->connectPanels(*m_lights, *m_camera, *m_environment);
 }
