@@ -216,6 +216,7 @@ std::string_view toString(Aov aov) { return kAovs.at(static_cast<std::size_t>(ao
 
 std::vector<Aov> allAovs() {
   std::vector<Aov> aovs;
+  aovs.reserve(kAovs.size());
   for (const auto& [aov, name] : kAovs) aovs.push_back(aov);
   return aovs;
 }

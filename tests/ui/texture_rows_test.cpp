@@ -44,7 +44,7 @@ class TextureRows : public Editor {
   QString slot() { return document().currentSlot(); }
   TextureRow* row(const char* id) { return find<TextureRow>(QStringLiteral("texture.") + QLatin1String(id)); }
   QString image(const char* name, const QColor& colour, int side = 16) {
-    const QString path = folder.filePath(QString::fromLatin1(name));
+    QString path = folder.filePath(QString::fromLatin1(name));
     QDir().mkpath(QFileInfo(path).path());
     QImage picture(side, side, QImage::Format_RGB888);
     picture.fill(colour);
@@ -290,6 +290,7 @@ TEST_F(TextureRows, TheMenuRevealsAndCopiesThePath) {
   Desktop desktop;
   QDesktopServices::setUrlHandler(QStringLiteral("file"), &desktop, "open");
   const auto choose = [&](const char* id) {
+    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the event queue owns what is called
     QTimer::singleShot(200, window.get(), [id] {
       auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
       ASSERT_NE(menu, nullptr);

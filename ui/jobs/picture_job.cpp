@@ -44,7 +44,7 @@ Image asPremultipliedFloat(const Image& image) {
 
 /// Draws one picture to its last sample; `progress` gets 0..1 of it.
 Result<void> accumulate(Renderer& renderer, const FrameRequest& frame, const std::function<void(double)>& progress,
-                        std::stop_token stop) {
+                        const std::stop_token& stop) {
   renderer.restartAccumulation();
   for (int sample = 0; sample < frame.targetSamples; ++sample) {
     if (stop.stop_requested()) return cancelledError();
@@ -59,7 +59,7 @@ Result<void> accumulate(Renderer& renderer, const FrameRequest& frame, const std
 }
 
 /// Programs, environment, what is measured of the model; `progress` gets 0..1.
-Result<void> prepare(Renderer& renderer, const std::function<void(double)>& progress, std::stop_token stop) {
+Result<void> prepare(Renderer& renderer, const std::function<void(double)>& progress, const std::stop_token& stop) {
   while (renderer.runJobs(20.0)) {
     if (stop.stop_requested()) return cancelledError();
     progress(renderer.jobProgress().second);
@@ -153,7 +153,7 @@ struct Work {
     frame.eightBits = !isExr(request.path);
     frame.references = request.references;
     const auto partly = [&](double fraction) { progress(done + share * fraction); };
-    const Result<void> drawn = accumulate(renderer, frame, partly, stop);
+    Result<void> drawn = accumulate(renderer, frame, partly, stop);
     done += share;
     return drawn;
   }
@@ -239,7 +239,7 @@ Camera turnedCamera(const Camera& camera, double degrees) {
 Result<DrawnPicture> drawPicture(QOffscreenSurface& surface, const std::shared_ptr<const ResolvedScene>& scene,
                                  const PictureRequest& request, const std::filesystem::path& cacheFolder,
                                  const PictureMetadata& metadata, const std::function<void(double)>& progress,
-                                 std::stop_token stop) {
+                                 const std::stop_token& stop) {
   QOpenGLContext context;
   context.setFormat(surface.requestedFormat());
   if (!context.create() || !context.makeCurrent(&surface))

@@ -63,6 +63,7 @@ using PictureMetadata = std::function<std::map<std::string, std::string>(
                                                const std::shared_ptr<const ResolvedScene>& scene,
                                                const PictureRequest& request, const std::filesystem::path& cacheFolder,
                                                const PictureMetadata& metadata,
-                                               const std::function<void(double)>& progress, std::stop_token stop);
+                                               const std::function<void(double)>& progress,
+                                               const std::stop_token& stop);
 
 }  // namespace dermis
