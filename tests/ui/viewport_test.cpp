@@ -91,6 +91,20 @@ TEST_F(ViewportGestures, ANewContextShowsTheSamePicture) {
   EXPECT_LT(meanDifference(before, after), 0.5F);
 }
 
+TEST_F(ViewportGestures, TheLastThatIsToldOfJobsIsThatTheyAreDone) {
+  Viewport* viewport = window->viewport();
+  if (viewport->hosting() == Hosting::Composed) GTEST_SKIP() << "Qt keeps the context";
+  picture();
+  QSignalSpy told(viewport, &Viewport::jobProgress);
+  viewport->renewContext();
+  const auto last = [&] { return told.isEmpty() ? QString() : told.last().at(0).toString(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !last().isEmpty(); }, kPatienceMs));
+  // The window is drawn again and again while they go on, and does what is left of them.
+  for (int i = 0; i < 20000 && viewport->statistics().frames == 0; ++i) static_cast<void>(viewport->grabFrame());
+  picture();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return last().isEmpty(); }, 5000)) << last().toStdString();
+}
+
 TEST(Pace, DrawsSmallerOnSlowMachinesAndWholeOnFastOnes) {
   Pace slow;
   for (int i = 0; i < 20; ++i) slow.measured(200.0 * slow.scale() * slow.scale());

@@ -138,7 +138,12 @@ void Viewport::paintGL() {
   if (!drawFrame()) return;
   const bool settled = std::exchange(m_settling, false);
   // What is queued goes on in an event of its own: nobody is answered while a picture is drawn already.
-  m_jobsLeft = m_renderer->jobsAreQueued() || (m_compared && m_compared->jobsAreQueued());
+  const bool jobsWereLeft =
+      std::exchange(m_jobsLeft, m_renderer->jobsAreQueued() || (m_compared && m_compared->jobsAreQueued()));
+  // A first picture may have done the last of them itself.
+  if (jobsWereLeft && !m_jobsLeft)
+    QMetaObject::invokeMethod(
+        this, [this] { Q_EMIT jobProgress(QString(), 0.0); }, Qt::QueuedConnection);
   if (settled && !m_jobsLeft)
     m_next.start(0);
   else
