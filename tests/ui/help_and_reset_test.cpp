@@ -32,6 +32,7 @@ TEST_F(Rows, EachSaysWhatItMeans) {
 }
 
 TEST_F(Rows, TheFieldsOfAMapSayWhatTheyMean) {
+  reveal(find(QStringLiteral("textures.folder")));
   for (const char* field : {"color_space", "channel", "uv_scale", "scale", "invert", "flip_green"}) {
     const auto* control = find<QWidget>(QStringLiteral("texture.roughness.") + QLatin1String(field));
     ASSERT_NE(control, nullptr) << field;

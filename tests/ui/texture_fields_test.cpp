@@ -17,6 +17,7 @@ class TextureFields : public Editor {
     wear(eye, TextureChannel::B, {1.0F, 1.0F}, "eye.png");
     document().setCurrentSlot(face);
     document().setEditedSlots({face, eye});
+    reveal(find(QStringLiteral("textures.folder")));
   }
   void wear(const QString& slot, TextureChannel channel, std::array<float, 2> tiling, const char* path) {
     TextureBinding binding;

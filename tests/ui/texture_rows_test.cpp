@@ -38,7 +38,7 @@ class TextureRows : public Editor {
     window->loading().openModel(ModelSource{{}, "sphere", {}, std::nullopt});
     ASSERT_TRUE(waitIdle());
     undo().clear();
-    reveal(row("albedo"));
+    reveal(find(QStringLiteral("textures.folder")));
   }
   /// A sphere has one slot.
   QString slot() { return document().currentSlot(); }

@@ -60,7 +60,7 @@ TEST_F(AtScale, TheThumbnailOfAMapHasAllItsPixels) {
                         std::make_shared<Image>(Image{64, 64, 4, PixelType::U8, std::vector<std::byte>(16384), "map"}));
   const double ratio = window->devicePixelRatioF();
   bool found = false;
-  reveal(find<QWidget>(QStringLiteral("texture.roughness")));
+  reveal(find(QStringLiteral("textures.folder")));
   for (const auto* label : find<QWidget>(QStringLiteral("texture.roughness"))->findChildren<QLabel*>()) {
     const QPixmap picture = label->pixmap();
     if (picture.isNull()) continue;

@@ -52,6 +52,18 @@ TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* pare
   strip()->addWidget(m_report);
   m_report->hide();
 
+  connect(&m_document, &Document::changed, this, [this](Change what) {
+    if (what == Change::Everything || what == Change::Material) refresh();
+  });
+  connect(&m_document, &Document::currentSlotChanged, this, [this] {
+    m_report->hide();
+    refresh();
+  });
+  connect(m_watcher, &MapWatcher::stateChanged, this, &TexturesPanel::refresh);
+  connect(&m_loading, &Loading::mapsMatched, this, &TexturesPanel::showReport);
+}
+
+void TexturesPanel::buildRows() {
   auto* holder = new QWidget(body());
   auto* column = new QVBoxLayout(holder);
   column->setContentsMargins(metrics::kMargin, metrics::kMargin, metrics::kMargin, metrics::kMargin);
@@ -67,16 +79,6 @@ TexturesPanel::TexturesPanel(Document& document, Loading& loading, QWidget* pare
   column->addWidget(m_nothing);
   addWidget(holder);
   finish();
-  connect(&m_document, &Document::changed, this, [this](Change what) {
-    if (what == Change::Everything || what == Change::Material) refresh();
-  });
-  connect(&m_document, &Document::currentSlotChanged, this, [this] {
-    m_report->hide();
-    refresh();
-  });
-  connect(m_watcher, &MapWatcher::stateChanged, this, &TexturesPanel::refresh);
-  connect(&m_loading, &Loading::mapsMatched, this, &TexturesPanel::showReport);
-  refresh();
 }
 
 void TexturesPanel::connectRow(TextureRow* row, TextureSlot slot) {
@@ -182,6 +184,8 @@ void TexturesPanel::dropEvent(QDropEvent* event) {
 
 void TexturesPanel::setSeen(bool seen) {
   m_isSeen = seen;
+  // Many widgets, and the window opens without them.
+  if (m_isSeen && m_nothing == nullptr) buildRows();
   if (m_isSeen && m_isStale) refresh();
 }
 

@@ -34,6 +34,7 @@ class TexturesPanel : public Panel {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void buildRows();
   void connectRow(TextureRow* row, TextureSlot slot);
   void assign(TextureSlot slot, const QString& path);
   void choose(TextureSlot slot);
@@ -51,7 +52,7 @@ class TexturesPanel : public Panel {
   QLabel* m_title = nullptr;
   QWidget* m_report = nullptr;
   QLabel* m_reportText = nullptr;
-  QLabel* m_nothing = nullptr;
+  QLabel* m_nothing = nullptr;  ///< the last of the rows, which are made when they are first seen
   std::array<TextureRow*, kTextureSlotCount> m_rows{};
 };
 
