@@ -290,7 +290,6 @@ TEST_F(TextureRows, TheMenuRevealsAndCopiesThePath) {
   Desktop desktop;
   QDesktopServices::setUrlHandler(QStringLiteral("file"), &desktop, "open");
   const auto choose = [&](const char* id) {
-    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the event queue owns what is called
     QTimer::singleShot(200, window.get(), [id] {
       auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
       ASSERT_NE(menu, nullptr);

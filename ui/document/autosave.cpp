@@ -102,7 +102,6 @@ void Autosave::write() {
         return runtimeError(file.string() + " could not be written: " + reasonOf(error));
       }
     }();
-    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the event queue owns what is called
     QMetaObject::invokeMethod(
         this,
         [this, result] {

@@ -121,7 +121,6 @@ class GlWidget::CopiedSurface final : public Surface {
   void paint() override {
     if (m_wanted || m_picture.size() != pixels()) draw();
     // What is painted now is in the window when the event loop goes on. A frame drawn to be grabbed is shown as well.
-    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): the event queue owns what is called
     if (std::exchange(m_isNew, false)) QTimer::singleShot(0, &m_host, &GlWidget::frameShown);
     QPainter painter(&m_host);
     if (m_picture.isNull())
