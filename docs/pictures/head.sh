@@ -40,7 +40,11 @@ row close 4 eye mouth ear back-lit
 face=$(camera 0.1 -0.02 0.95 0 -0.02 0.02 17)
 tones=()
 for tone in i ii iii iv v vi; do
-  picture tones "tone_$tone" 198x250 "$face" --environment builtin:clamshell --material "face=builtin:face_tone_$tone"
+  case $tone in  # the eyes that mostly go with it
+    i | ii | iii) iris=() ;;
+    *) iris=(--set eye/eye.iris_color=0.13,0.07,0.035) ;;
+  esac
+  picture tones "tone_$tone" 198x250 "$face" --environment builtin:clamshell --material "face=builtin:face_tone_$tone" "${iris[@]}"
   tones+=("tone_$tone")
 done
 row tones 6 "${tones[@]}"

@@ -67,6 +67,23 @@ float earLength() {
   return high - low;
 }
 
+/// Between the places where the borders of upper and lower lip meet.
+float lipLength() {
+  const Lips lips;
+  float x = 0.0F;
+  while (lips.upperBorder(x) - lips.lowerBorder(x) > 0.3F) x += 0.05F;
+  return 2.0F * x;
+}
+
+/// From the root of the nose to the hairline, as a calliper measures it.
+float foreheadHeight() {
+  const HeadRegions regions;
+  const auto skin = [](float y) { return glm::vec3(0.0F, y, front(y)); };
+  float y = 40.0F;
+  while (regions.at(skin(y))[HeadRegion::Scalp] < 0.5F) y += 0.1F;
+  return glm::distance(skin(7.0F), skin(y));
+}
+
 struct Measure {
   const char* name;
   float value, intended;
@@ -89,7 +106,8 @@ TEST(HeadForm, SizesAreIntendedAndHuman) {
       {"menton to sellion", 5.0F - menton, 121.0F, 122.6F, 6.6F},
       {"interpupillary breadth", 2 * kEyeCentre.x, 63.0F, 64.1F, 3.2F},
       {"nose protrusion", largest(-40, -30, front) - front(-52), 19.6F, 21.1F, 2.7F},
-      {"lip length", 2 * 26.5F, 53.0F, 51.1F, 4.2F},
+      {"lip length", lipLength(), 51.8F, 51.1F, 4.2F},
+      {"forehead height", foreheadHeight(), 69.0F, 67.1F, 7.5F},
       {"ear length", earLength(), 63.0F, 64.5F, 4.3F},
       {"tragion to the top of the head", crown - kTragion, 132.0F, 131.4F, 6.1F},
       {"neck circumference", circumference(-118), 372.0F, 397.8F, 25.1F},

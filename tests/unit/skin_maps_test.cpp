@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "core/builtin/maps.h"
 #include "core/builtin/skin/head_maps.h"
@@ -202,6 +203,33 @@ TEST_F(SkinMaps, LipsAreRedderCheeksFlushAndFrecklesDarken) {
   look.freckles = 0.0F;
   look.melanin = 3.0F;
   EXPECT_LT(mean(makeHeadAlbedo(atlas(), look)).g, 0.8 * mean(plain).g);
+}
+
+TEST_F(SkinMaps, StubbleShadesScalpAndBeardAndBluesThem) {
+  const HeadRegions regions;
+  const auto grown = [&](const glm::vec3& p) {
+    const RegionWeights at = regions.at(p);
+    return at[HeadRegion::Scalp] > 0.95F && at[HeadRegion::Ear] < 0.01F;
+  };
+  const auto bearded = [&](const glm::vec3& p) { return regions.at(p)[HeadRegion::Beard] > 0.95F; };
+  const auto bare = [&](const glm::vec3& p) {
+    const RegionWeights at = regions.at(p);
+    return at[HeadRegion::Scalp] <= 0.0F && at[HeadRegion::Beard] <= 0.0F;
+  };
+  Look look;
+  std::vector<Image> images;
+  for (const float stubble : {0.0F, 0.5F, 1.0F}) {
+    look.stubble = stubble;
+    images.push_back(makeHeadAlbedo(atlas(), look));
+  }
+  for (const auto& where : {std::function<bool(const glm::vec3&)>(grown), {bearded}}) {
+    const glm::dvec3 none = mean(images[0], where), some = mean(images[1], where), full = mean(images[2], where);
+    EXPECT_LT(some.g, 0.95 * none.g);
+    EXPECT_LT(full.g, 0.95 * some.g);
+    EXPECT_GT(full.g, 0.3 * none.g) << "shaved, not a beard";
+    EXPECT_GT(full.b / full.r, none.b / none.r);
+  }
+  EXPECT_EQ(mean(images[2], bare), mean(images[0], bare));
 }
 
 TEST_F(SkinMaps, TheSameLookGivesTheSameBytesAndAnotherSeedOthers) {

@@ -5,18 +5,32 @@
 namespace dermis::sculpt {
 
 Lips::Lips()
-    : m_line({{0, -68.9F}, {4, -68.5F}, {9, -67.6F}, {16, -68.0F}, {22, -68.3F}, {26, -68.8F}, {34, -69.6F}}),
+    : m_line({{0, -68.9F},
+              {3.8F, -68.5F},
+              {8.5F, -67.6F},
+              {15.2F, -68.0F},
+              {20.9F, -68.3F},
+              {24.7F, -68.8F},
+              {32.3F, -69.6F}}),
       m_upper({{0, -62.3F},
-               {2, -61.7F},
-               {5.5F, -60.6F},
-               {9, -61.2F},
-               {16, -64.0F},
-               {22, -66.9F},
-               {26, -68.5F},
-               {34, -69.6F}}),
-      m_lower({{0, -78.2F}, {6, -78.0F}, {12, -76.5F}, {18, -73.8F}, {23, -70.9F}, {26, -69.0F}, {34, -69.6F}}),
-      m_upperAmount({{0, 4.5F}, {5, 4.9F}, {12, 4.1F}, {19, 2.6F}, {24, 1.2F}, {30, 0}, {40, 0}}),
-      m_lowerAmount({{0, 4.1F}, {6, 4.5F}, {12, 4.0F}, {18, 2.7F}, {23, 1.3F}, {29.5F, 0}, {40, 0}}),
+               {1.9F, -61.7F},
+               {5.2F, -60.6F},
+               {8.5F, -61.2F},
+               {15.2F, -64.0F},
+               {20.9F, -66.9F},
+               {24.7F, -68.5F},
+               {32.3F, -69.6F}}),
+      m_lower({{0, -78.2F},
+               {5.7F, -78.0F},
+               {11.4F, -76.5F},
+               {17.1F, -73.8F},
+               {21.8F, -70.9F},
+               {24.7F, -69.0F},
+               {32.3F, -69.6F}}),
+      m_upperAmount(
+          {{0, 4.5F}, {4.8F, 4.9F}, {11.4F, 4.1F}, {17.1F, 2.5F}, {20.9F, 1.2F}, {25.2F, 0.1F}, {28.5F, 0}, {38, 0}}),
+      m_lowerAmount(
+          {{0, 4.1F}, {5.7F, 4.5F}, {11.4F, 4.0F}, {17.1F, 2.5F}, {21.4F, 1.1F}, {25.2F, 0.1F}, {28.5F, 0}, {38, 0}}),
       // Only part of the height is there where the lips touch: the full height would make a beak.
       m_upperSection({{0, 0.42F},
                       {0.14F, 0.70F},
@@ -49,8 +63,8 @@ float Lips::raise(const glm::vec3& p) const {
   const float isUpper = ramp(-0.35F, 0.35F, over);
   float height = isUpper * m_upperAmount(x) * m_upperSection(std::max(over / upper, 0.0F)) +
                  (1.0F - isUpper) * m_lowerAmount(x) * m_lowerSection(std::max(-over / lower, 0.0F));
-  height += 0.35F * bell(p.y - (m_upper(x) + 0.5F), 1.3F) * fade(14.0F, 23.0F, x);  // the white roll
-  height -= 2.3F * bell(over, 0.9F) * fade(16.0F, 26.5F, x);                        // the slit
+  height += 0.35F * bell(p.y - (m_upper(x) + 0.5F), 1.3F) * fade(10.5F, 19.0F, x);  // the white roll
+  height -= 2.3F * bell(over, 0.9F) * fade(17.0F, 27.5F, x);                        // the slit
   return height * ramp(60.0F, 80.0F, p.z);
 }
 

@@ -24,25 +24,31 @@ float blob(const glm::vec3& p, const glm::vec3& centre, const glm::vec3& widths)
 std::string_view headRegionName(HeadRegion region) { return kNames[static_cast<std::size_t>(region)]; }
 
 HeadRegions::HeadRegions()
-    : m_hairline({{0, 90},
-                  {0.45F, 84},
-                  {0.75F, 66},
-                  {0.95F, 58},
-                  {1.15F, 36},
-                  {1.35F, 12},
-                  {1.55F, -6},
-                  {1.8F, -34},
-                  {2.3F, -66},
-                  {3.1416F, -80}}),
+    // Level over the forehead, back at its corners, forward to the temples, down before the ear as a whisker.
+    : m_hairline({{0, 73},
+                  {0.3F, 74},
+                  {0.55F, 77},
+                  {0.76F, 75},
+                  {0.85F, 68},
+                  {0.91F, 46},
+                  {1.0F, 35},
+                  {1.14F, 31},
+                  {1.22F, 20},
+                  {1.28F, -2},
+                  {1.36F, -16},
+                  {1.55F, -24},
+                  {1.8F, -40},
+                  {2.3F, -68},
+                  {3.1416F, -84}}),
       m_beardLine(
-          {{0, -48}, {0.2F, -51}, {0.45F, -54}, {0.75F, -46}, {1.0F, -38}, {1.25F, -24}, {1.4F, -6}, {1.5F, 4}}) {}
+          {{0, -48}, {0.2F, -51}, {0.45F, -57}, {0.7F, -52}, {0.95F, -40}, {1.2F, -22}, {1.35F, -8}, {1.5F, 4}}) {}
 
 float HeadRegions::lips(const glm::vec3& q) const {
-  constexpr float kHalfWidth = 27.5F;
+  constexpr float kHalfWidth = 27.0F;
   if (q.z < 75.0F || q.x > kHalfWidth) return 0.0F;
   const float inside = std::min(m_lips.upperBorder(q.x) + 0.3F - q.y, q.y - m_lips.lowerBorder(q.x) + 0.2F);
   // The red runs out before the corner does.
-  return ramp(-0.5F, 0.5F, inside) * fade(23.5F, kHalfWidth, q.x);
+  return ramp(-0.5F, 0.5F, inside) * fade(23.8F, kHalfWidth, q.x);
 }
 
 float HeadRegions::ear(const glm::vec3& q) const {
@@ -78,6 +84,12 @@ void HeadRegions::eyes(const glm::vec3& q, RegionWeights& weights) const {
   set(HeadRegion::Hidden, fade(kEyeRadius + 0.4F, kEyeRadius + 0.9F, reach) * behind);
 }
 
+float HeadRegions::overHairline(float y, float angle) const {
+  constexpr float kStep = 0.02F, kRadius = 72.0F;  // of the head at the temples
+  const float slope = (m_hairline(angle + kStep) - m_hairline(angle - kStep)) / (2.0F * kStep * kRadius);
+  return (y - m_hairline(angle)) / std::hypot(1.0F, slope);
+}
+
 RegionWeights HeadRegions::at(const glm::vec3& rest) const {
   const glm::vec3 q(std::abs(rest.x), rest.y, rest.z);
   const float angle = std::atan2(q.x, q.z + 8.0F);
@@ -104,9 +116,10 @@ RegionWeights HeadRegions::at(const glm::vec3& rest) const {
                 fade(12.0F, 22.0F, q.x) * ramp(0.0F, 12.0F, q.y) * fade(24.0F, 36.0F, q.y) * ramp(80.0F, 92.0F, q.z)}));
   set(HeadRegion::Brow, fade(0.5F, 1.25F, std::abs(q.y - m_brow.height(q.x)) / m_brow.halfWidth(q.x)) *
                             ramp(7.0F, 11.0F, q.x) * fade(50.0F, 57.0F, q.x) * ramp(50.0F, 60.0F, q.z));
-  set(HeadRegion::Scalp, ramp(-6.0F, 6.0F, q.y - m_hairline(angle)) * (1.0F - ofEar));
-  const float below = fade(-5.0F, 5.0F, q.y - m_beardLine(angle)) * fade(1.4F, 1.55F, angle);
-  const float above = ramp(-140.0F, -112.0F, q.y - 0.35F * (q.z - 60.0F));
+  set(HeadRegion::Scalp, ramp(-7.0F, 9.0F, overHairline(q.y, angle)) * (1.0F - ofEar));
+  const float below = fade(-10.0F, 5.0F, q.y - m_beardLine(angle)) * fade(1.4F, 1.6F, angle);
+  // On the throat it ends along a line from over the larynx up to behind the lobe.
+  const float above = ramp(-134.0F, -108.0F, q.y + 0.5F * (q.z - 50.0F));
   set(HeadRegion::Beard, below * above * (1.0F - lip) * (1.0F - tip) * (1.0F - ofEar));
   const float jaw = glm::mix(-86.0F, -116.0F, ramp(10.0F, 84.0F, q.z));
   const float neck = fade(jaw - 10.0F, jaw + 4.0F, q.y), chest = fade(-196.0F, -168.0F, q.y + 0.12F * q.x);

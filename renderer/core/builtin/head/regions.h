@@ -60,6 +60,8 @@ class HeadRegions {
  private:
   [[nodiscard]] float lips(const glm::vec3& q) const;
   [[nodiscard]] float ear(const glm::vec3& q) const;
+  /// Distance to the hairline, mm, negative on the face.
+  [[nodiscard]] float overHairline(float y, float angle) const;
   void eyes(const glm::vec3& q, RegionWeights& weights) const;
   sculpt::Lips m_lips;
   sculpt::Lids m_lids;

@@ -15,10 +15,10 @@ float bustCut(const glm::vec3& p) {
 /// Where the crease of the wing meets the cheek: the one stroke that is drawn in space.
 Stroke alarGroove() {
   return Stroke({{{9, -33, 106.5F}, 4.5F, -0.1F},
-                 {{13.5F, -31.8F, 100.5F}, 5.0F, -0.5F},
-                 {{17.4F, -35, 95.5F}, 5.2F, -0.9F},
-                 {{18.2F, -41, 93.5F}, 4.8F, -0.9F},
-                 {{17.0F, -46, 94.5F}, 4.0F, -0.4F}});
+                 {{13.5F, -31.8F, 100.5F}, 5.0F, -0.7F},
+                 {{17.4F, -35, 95.5F}, 4.8F, -1.5F},
+                 {{18.2F, -41, 93.5F}, 4.5F, -1.7F},
+                 {{17.0F, -46, 94.5F}, 4.0F, -0.9F}});
 }
 
 }  // namespace

@@ -93,7 +93,12 @@ class Painter {
     const glm::vec3 hair = glm::mix(glm::vec3(0.058F, 0.036F, 0.023F), glm::vec3(0.42F),
                                     0.8F * glm::smoothstep(45.0F, 85.0F, m_look.age));  // dark brown, then grey
     const PigmentLayers layers = pigmentLayers(place, m_look);
-    return glm::mix(glm::min(m_correction * uncorrected(layers, m_look), glm::vec3(kMost)), hair, layers.hair);
+    // Light that reaches a shaft under the skin is mostly long-wave, what comes back from over it short-wave: shaved
+    // skin looks blue for the reason that veins do (Kienle et al. 1996, "Why do veins appear blue? A new look at an old
+    // question").
+    constexpr glm::vec3 kReach(1.0F, 0.93F, 0.8F);
+    const glm::vec3 skin = glm::min(m_correction * uncorrected(layers, m_look), glm::vec3(kMost));
+    return glm::mix(glm::mix(skin, hair, layers.buried * kReach), hair, layers.hair);
   }
 
  private:

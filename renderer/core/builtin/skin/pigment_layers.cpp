@@ -46,17 +46,33 @@ float ageSpots(const SkinPlace& at, const Look& look) {
   return 0.9F * spots((at.p + wobble) / 13.0F, old * where * 0.6F, 0.3F, 0.4F, look.seed + 74);
 }
 
-/// Coverage by hairs: below the brows' own ones a shade; of the shaved scalp and beard a shade with single hairs in it.
-float hairs(const SkinPlace& at, const Look& look) {
-  float sum = at[Brow] * (0.16F + 0.12F * noise(at.p / 1.1F, look.seed + 80));
-  const float shaved = look.stubble * std::max(at[Scalp] * (1.0F - at[Ear]), 0.8F * at[Beard]);
-  if (shaved > 0.0F) {
-    // Thicker here, thinner there, and each hair's end a dot.
-    const float growth = 0.9F + 0.12F * fractal(at.p / 13.0F, 2, look.seed + 82);
-    const float dots = bell(cells(at.p / 0.95F, look.seed + 83).first, 0.3F);
-    sum += shaved * growth * (0.30F + 0.60F * dots);
-  }
-  return std::clamp(sum, 0.0F, 1.0F);
+/// How densely hair grows: of the shaved scalp and the beard, 0..1. Its borders wander, as a hairline does.
+float growth(const SkinPlace& at, const Look& look) {
+  const float scalp = at[Scalp] * (1.0F - at[Ear]);
+  // Thick on lip and chin, thin on the cheeks and below the corners of the mouth.
+  const float patch = bell(std::abs(at.p.x) - 21.0F, 8.0F) * bell(at.p.y + 86.0F, 9.0F);
+  const float middle = glm::smoothstep(48.0F, 18.0F, std::abs(at.p.x)) * glm::smoothstep(60.0F, 85.0F, at.p.z);
+  const float beard = at[Beard] * (0.62F + 0.3F * middle - 0.25F * patch);
+  const float most = std::max(scalp, beard);
+  if (most <= 0.0F) return 0.0F;
+  const float wander = 0.3F * fractal(at.p / 8.0F, 2, look.seed + 82) + 0.1F * fractal(at.p / 31.0F, 2, look.seed + 84);
+  return std::clamp(most * (1.0F + 0.4F * wander) + 3.0F * wander * most * (1.0F - most), 0.0F, 1.0F);
+}
+
+/// Hairs that hide skin, and shafts in it: below the brows' own hairs a shade; stubble is dots, one a follicle, over
+/// the shade of what stands below the surface.
+void growHairs(const SkinPlace& at, const Look& look, PigmentLayers& out) {
+  out.hair = std::max(0.0F, at[Brow] * (0.16F + 0.12F * noise(at.p / 1.1F, look.seed + 80)));
+  const float density = look.stubble > 0.0F ? growth(at, look) : 0.0F;
+  if (density <= 0.0F) return;
+  constexpr float kSpacing = 0.85F;
+  const Cells follicle = cells(at.p / kSpacing, look.seed + 83);
+  const std::uint32_t own = latticeHash(glm::ivec3(static_cast<int>(follicle.hash & 0xFFFFU), 5, 9), look.seed + 83);
+  // Thinner growth is fewer hairs, not fainter ones.
+  const float present = glm::smoothstep(0.0F, 0.1F, density - 0.92F * unit(own));
+  const float end = bell(follicle.first, 0.24F + 0.06F * unit(own, 11));
+  out.hair = std::min(1.0F, out.hair + std::min(1.0F, 0.25F + 0.75F * look.stubble) * 0.85F * present * end);
+  out.buried = 0.44F * look.stubble * density;
 }
 
 /// Veins near the surface, 0..1: at the temples, on the lids, on neck and chest.
@@ -88,19 +104,19 @@ PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
   PigmentLayers out;
 
   // Melanin: where the sun falls and round the eyes more, on lips less; mottled at three sizes.
-  float melanin = 1.0F + 0.16F * at[Forehead] + 0.12F * at[Nose] + 0.18F * at[UpperLid] + 0.08F * at[LowerLid] +
+  float melanin = 1.0F + 0.16F * at[Forehead] + 0.12F * at[Nose] + 0.1F * at[UpperLid] + 0.05F * at[LowerLid] +
                   0.1F * at[UnderEye] - 0.16F * at[Neck] * glm::smoothstep(0.0F, 30.0F, at.p.z) + 0.1F * at[Chest];
   const float mottle = 1.0F + 0.8F * old;
   melanin *= std::exp(mottle * (0.14F * fractal(at.p / 16.0F, 3, s + 10) + 0.10F * fractal(at.p / 3.4F, 2, s + 20)));
   melanin *= 1.0F + freckles(at, look) + ageSpots(at, look) + moles(at, look);
-  out.hair = hairs(at, look);
+  growHairs(at, look, out);
   out.melanin = glm::mix(melanin, 0.45F * melanin, at[Lips]);
   // The inner corner and the margins of the lids are mucous: no melanin to speak of.
   out.melanin *= 1.0F - 0.7F * std::max(at[Caruncle], at[LidMargin]);
 
   // Blood: full where the skin is thin or the vessels wide.
-  const float warm = 0.35F * at[Cheek] + 0.5F * at[NoseTip] + 0.2F * at[Nose] + 0.65F * at[Ear] + 0.35F * at[UpperLid] +
-                     0.3F * at[LowerLid] + 0.3F * at[Chin] + 0.4F * at[UnderEye] - 0.2F * at[Forehead] -
+  const float warm = 0.35F * at[Cheek] + 0.5F * at[NoseTip] + 0.2F * at[Nose] + 0.65F * at[Ear] + 0.15F * at[UpperLid] +
+                     0.2F * at[LowerLid] + 0.3F * at[Chin] + 0.4F * at[UnderEye] - 0.2F * at[Forehead] -
                      0.1F * at[Neck];
   const float flushed = look.flush * (1.7F * at[Cheek] + 1.4F * at[NoseTip] + 1.3F * at[Ear] + 0.5F * at[Chin] +
                                       0.35F * at[Forehead] + 0.6F * at[Chest]);
@@ -116,7 +132,7 @@ PigmentLayers pigmentLayers(const SkinPlace& at, const Look& look) {
   // The red of the lips, in streaks along their furrows.
   if (at[Lips] > 0.0F) {
     const float streak = 1.0F + 0.18F * noise(glm::vec3(at.p.x / 0.8F, at.p.y / 4.0F, 0.0F), s + 52);
-    blood = glm::mix(blood, 3.4F * streak * blotched * (1.0F - 0.25F * old), at[Lips]);
+    blood = glm::mix(blood, 2.8F * streak * blotched * (1.0F - 0.25F * old), at[Lips]);
   }
   blood = glm::mix(blood, 6.0F, std::max(at[Caruncle], 0.6F * at[LidMargin]));
   out.blood = blood;

@@ -37,7 +37,7 @@ float pores(const SkinPlace& at, const Look& look, float texel) {
 /// The net of furrows that all skin has: ridges between cells, drawn out with age.
 float net(const SkinPlace& at, const Look& look, float texel) {
   float height = 0.0F;
-  const float strength = (0.4F + 0.6F * glm::smoothstep(20.0F, 70.0F, look.age)) * (1.0F - 0.6F * at[NoseTip]) *
+  const float strength = (0.4F + 0.6F * glm::smoothstep(20.0F, 70.0F, look.age)) * (1.0F - 0.85F * at[NoseTip]) *
                          (1.0F - std::max(at[Lips], at[LidMargin]));
   for (const float size : {1.7F, 0.8F}) {
     const float share = kept(0.5F * size, texel);

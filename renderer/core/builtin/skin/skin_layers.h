@@ -15,7 +15,7 @@ struct Look {
   float age = 28.0F;       ///< years
   float freckles = 0.08F;  ///< 0 none, 1 covered
   float flush = 0.25F;     ///< of cheeks, nose, ears
-  float stubble = 0.4F;    ///< of beard and shaved scalp: 0 none, 1 three days old
+  float stubble = 0.8F;    ///< of beard and shaved scalp: 0 none, 1 three days old
   std::uint32_t seed = 1;
   bool operator==(const Look&) const = default;
 };
@@ -31,7 +31,8 @@ struct SkinPlace {
 struct PigmentLayers {
   float melanin = 1.0F, blood = 1.0F;
   float oxygenation = 0.75F;
-  float hair = 0.0F;  ///< share of the skin that hairs hide
+  float hair = 0.0F;    ///< share of the skin that hairs hide
+  float buried = 0.0F;  ///< share of it with shafts below the surface
 };
 [[nodiscard]] PigmentLayers pigmentLayers(const SkinPlace& place, const Look& look);
 
