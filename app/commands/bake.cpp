@@ -13,6 +13,7 @@
 #include "core/base/json_text.h"
 #include "core/base/number_format.h"
 #include "core/io/asset_loader.h"
+#include "core/io/disk_cache.h"
 #include "lighting/bake_readback.h"
 
 namespace dermis::cli {
@@ -68,16 +69,6 @@ Outcome<std::vector<float>> parseRoughness(const std::vector<std::string>& texts
   return values;
 }
 
-Outcome<void> makeFolder(const fs::path& folder) {
-  std::error_code error;
-  const fs::path parent = fs::absolute(folder).lexically_normal().parent_path();
-  if (!fs::is_directory(folder, error) && fs::is_directory(parent, error)) fs::create_directory(folder, error);
-  if (fs::is_directory(folder, error)) return {};
-  return failure(Error{
-      Error::Kind::Runtime,
-      fmt::format("the folder {} does not exist and cannot be made; check its path and permissions", folder.string())});
-}
-
 Outcome<int> bakeEnvironment(const EnvironmentOptions& options) {
   const Outcome<std::vector<float>> roughness = parseRoughness(options.roughness);
   if (!roughness) return tl::unexpected(roughness.error());
@@ -97,7 +88,7 @@ Outcome<int> bakeEnvironment(const EnvironmentOptions& options) {
   const auto headless = HeadlessRenderer::create();
   if (!headless) return tl::unexpected(headless.error());
   EnvironmentBakeOptions bake;
-  if (options.cached) bake.cacheFolder = cacheFolder();
+  if (options.cached) bake.cacheFolder = userCacheFolder("bakes");
   const auto baked = readBackEnvironment(*images, *roughness, bake, warnings);
   printWarnings(warnings);
   if (!baked) return failure(baked.error());
@@ -184,6 +175,16 @@ Examples:
 
 }  // namespace
 
+Outcome<void> makeFolder(const fs::path& folder) {
+  std::error_code error;
+  const fs::path parent = fs::absolute(folder).lexically_normal().parent_path();
+  if (!fs::is_directory(folder, error) && fs::is_directory(parent, error)) fs::create_directory(folder, error);
+  if (fs::is_directory(folder, error)) return {};
+  return failure(Error{
+      Error::Kind::Runtime,
+      fmt::format("the folder {} does not exist and cannot be made; check its path and permissions", folder.string())});
+}
+
 void addBake(CLI::App& root, Action& action) {
   CLI::App* command = root.add_subcommand(
       "bake", "What the renderer samples: environments, the DFG table, a model's thickness and occlusion");
@@ -191,6 +192,7 @@ void addBake(CLI::App& root, Action& action) {
   addBakeEnvironment(*command, action);
   addBakeDfg(*command, action);
   addBakeMesh(*command, action);
+  addBakeLook(*command, action);
   command->footer(R"(
 Examples:
   dermis bake environment studio.hdr -o baked --roughness 0.5

@@ -1,5 +1,7 @@
 #include "app/commands/headless.h"
 
+#include "core/io/disk_cache.h"
+
 namespace dermis::cli {
 
 Outcome<HeadlessRenderer> HeadlessRenderer::create(bool forBenchmark) {
@@ -8,7 +10,7 @@ Outcome<HeadlessRenderer> HeadlessRenderer::create(bool forBenchmark) {
   if (!context) return failure(context.error());
   headless.m_context = std::move(*context);
   RendererOptions options;
-  if (!forBenchmark) options.cacheFolder = cacheFolder();
+  if (!forBenchmark) options.cacheFolder = userCacheFolder("bakes");
   options.timePassesAlone = forBenchmark;
   options.bakeMeshes = true;
   options.platform = headless.m_context->platform();

@@ -65,23 +65,6 @@ Outcome<void> checkOutputFile(const fs::path& path, std::span<const std::string_
   return {};
 }
 
-fs::path cacheFolder() {
-  const auto fromEnvironment = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr && *value == '/' ? fs::path(value) : fs::path();
-  };
-  fs::path base = fromEnvironment("XDG_CACHE_HOME");
-  if (base.empty()) {
-    base = fromEnvironment("HOME");
-    if (base.empty()) return {};
-    base /= ".cache";
-  }
-  const fs::path folder = base / "dermis";
-  std::error_code error;
-  fs::create_directories(folder, error);
-  return access(folder.c_str(), W_OK | X_OK) == 0 ? folder : fs::path();
-}
-
 std::string extensionOf(const fs::path& path) { return lowerCase(path.extension().string()); }
 
 Outcome<glm::ivec2> parseSize(std::string_view text) {

@@ -37,8 +37,6 @@ int report(const Failure& failure);
 [[nodiscard]] Outcome<void> checkOutputFile(const std::filesystem::path& path,
                                             std::span<const std::string_view> extensions);
 
-/// $XDG_CACHE_HOME/dermis or ~/.cache/dermis; empty where neither can be written: then nothing is cached.
-[[nodiscard]] std::filesystem::path cacheFolder();
 [[nodiscard]] std::string extensionOf(const std::filesystem::path& path);  ///< lower case, with the dot
 
 /// "1280x720". Fails with 2.

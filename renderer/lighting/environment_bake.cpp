@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -122,12 +121,6 @@ Parts constantParts(const glm::vec3& value) {
   return {cube(1), cube(kPrefilterLayers), cube(1), peak, peak};
 }
 
-int sharpFaceSize(const RadianceMap& map, int maximum) {
-  // Twice the pixels of a quarter turn: texels in the middle of a face are wider than those at its edges.
-  const auto wanted = std::bit_ceil(static_cast<unsigned>(std::max(1, 2 * map.pixelsPerFace())));
-  return std::clamp(static_cast<int>(std::min(wanted, 1U << 14U)), std::min(kPrefilterFaceSize, maximum), maximum);
-}
-
 Cubes sharpCubes(const RadianceMap& map, int faceSize) {
   Cubes cubes;
   cubes.shape.faceSize = faceSize;
@@ -188,7 +181,7 @@ Result<std::shared_ptr<BakedEnvironment>> bake(const EnvironmentImages& images, 
   if (map.layout == RadianceMap::Layout::Constant) {
     parts = constantParts(map.constant);
   } else {
-    parts.sharp = sharpCubes(map, sharpFaceSize(map, options.maximumSharpFace));
+    parts.sharp = sharpCubes(map, sharpFaceSize(map.pixelsPerFace(), options.maximumSharpFace));
     figures.sharpMs = watch.lap();
     report(0.05F);
     if (stop.stop_requested()) return cancelledError();

@@ -15,6 +15,7 @@
 
 #include "core/base/file_io.h"
 #include "core/io/disk_cache.h"
+#include "lighting/sharp_cube.h"
 
 namespace dermis {
 namespace {
@@ -91,14 +92,15 @@ std::uint64_t expectedBytes(const CubeShape& shape, bool floats) {
 fs::path environmentCacheFile(const EnvironmentBakeOptions& options, const EnvironmentImages& images) {
   // The size of the images guards against a hash of bytes that were decoded differently.
   const Image* image = images.latLong ? images.latLong.get() : images.faces[0].get();
+  const int perFace = image == nullptr ? 1 : std::max(1, images.latLong ? image->width / 4 : image->width);
   return options.cacheFolder / fmt::format("{:016x}-{}x{}-{}-v{}{}", images.contentHash, image ? image->width : 0,
-                                           image ? image->height : 0, options.maximumSharpFace, kEnvironmentBakeVersion,
-                                           kSuffix);
+                                           image ? image->height : 0, sharpFaceSize(perFace, options.maximumSharpFace),
+                                           kEnvironmentBakeVersion, kSuffix);
 }
 
 std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOptions& options,
                                                        const EnvironmentImages& images) {
-  const fs::path path = environmentCacheFile(options, images);
+  const fs::path path = cachedFile(environmentCacheFile(options, images));
   auto mapping = std::make_shared<Mapping>(path);
   const auto bytes = mapping->bytes();
   Header header{};

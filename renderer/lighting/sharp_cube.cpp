@@ -3,10 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
 #include "lighting/cube_geometry.h"
+#include "lighting/roughness_nodes.h"
 
 namespace dermis {
 namespace {
@@ -47,6 +49,12 @@ class LatLongSampler {
 };
 
 }  // namespace
+
+int sharpFaceSize(int pixelsPerFace, int maximum) {
+  // Twice the pixels of a quarter turn: texels in the middle of a face are wider than those at its edges.
+  const auto wanted = std::bit_ceil(static_cast<unsigned>(std::max(1, 2 * pixelsPerFace)));
+  return std::clamp(static_cast<int>(std::min(wanted, 1U << 14U)), std::min(kPrefilterFaceSize, maximum), maximum);
+}
 
 std::vector<float> resampleToCube(const RadianceMap& map, int faceSize) {
   const auto n = static_cast<std::size_t>(faceSize);

@@ -63,6 +63,13 @@ std::vector<bool> castingSlots(const ResolvedScene& scene) {
   return casting;
 }
 
+MeshBakeOptions meshBakeOptions(const ResolvedScene& scene) {
+  MeshBakeOptions options;
+  options.millimetresPerUnit = scene.millimetresPerUnit;
+  options.castingSlots = castingSlots(scene);
+  return options;
+}
+
 void MeshBakes::want(const ResolvedScene& scene, const std::filesystem::path& cacheFolder, gl::JobQueue& jobs) {
   constexpr const char* kJob = "mesh bake";
   if (scene.bake || !usesMeshBake(scene)) {
@@ -77,9 +84,7 @@ void MeshBakes::want(const ResolvedScene& scene, const std::filesystem::path& ca
     jobs.cancel(kJob);  // back to the one in use before the other was ready
     return;
   }
-  MeshBakeOptions options;
-  options.millimetresPerUnit = key.millimetresPerUnit;
-  options.castingSlots = key.casting;
+  MeshBakeOptions options = meshBakeOptions(scene);
   options.cacheFolder = cacheFolder;
   jobs.addLast(kJob, std::make_unique<MeshBakeJob>(scene.model, std::move(options),
                                                    [this, key = std::move(key)](std::shared_ptr<const MeshBake> bake) {

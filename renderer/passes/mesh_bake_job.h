@@ -16,6 +16,9 @@ namespace dermis {
 /// By slot: false for what light passes (lenses, blended materials).
 [[nodiscard]] std::vector<bool> castingSlots(const ResolvedScene& scene);
 
+/// How the scene's model is baked for it, without a cache folder.
+[[nodiscard]] MeshBakeOptions meshBakeOptions(const ResolvedScene& scene);
+
 /// The bake of the scene on screen, and the one on its way.
 class MeshBakes {
  public:

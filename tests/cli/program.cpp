@@ -68,11 +68,16 @@ bool drain(std::array<int, 2> pipes, std::array<std::string, 2>& texts) {
 
 ProgramResult runDermis(const std::vector<std::string>& arguments,
                         const std::map<std::string, std::string>& environment) {
+  return runProgram(DERMIS_BINARY, arguments, environment);
+}
+
+ProgramResult runProgram(const std::string& program, const std::vector<std::string>& arguments,
+                         const std::map<std::string, std::string>& environment) {
   std::array<int, 2> out{};
   std::array<int, 2> err{};
   ProgramResult result;
   if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(err.data(), O_CLOEXEC) != 0) return result;
-  std::vector<std::string> words = {DERMIS_BINARY};
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environmentText(environment);
   const std::vector<char*> argv = pointers(words);
@@ -83,7 +88,7 @@ ProgramResult runDermis(const std::vector<std::string>& arguments,
     dup2(nothing, 0);
     dup2(out[1], 1);
     dup2(err[1], 2);
-    execve(DERMIS_BINARY, argv.data(), envp.data());
+    execve(program.c_str(), argv.data(), envp.data());
     _exit(127);
   }
   close(out[1]);

@@ -23,5 +23,8 @@ struct ProgramResult {
 /// two minutes.
 ProgramResult runDermis(const std::vector<std::string>& arguments,
                         const std::map<std::string, std::string>& environment = {});
+/// The same of a program that lies elsewhere.
+ProgramResult runProgram(const std::string& program, const std::vector<std::string>& arguments,
+                         const std::map<std::string, std::string>& environment = {});
 
 }  // namespace dermis::test

@@ -4,8 +4,8 @@
 #include <QGuiApplication>
 #include <QImage>
 #include <QOffscreenSurface>
-#include <QStandardPaths>
 
+#include "core/io/disk_cache.h"
 #include "core/scene/cameras.h"
 #include "ui/dialogs/open_dialog.h"
 #include "ui/dialogs/screenshot_dialog.h"
@@ -71,8 +71,7 @@ void Exports::startNext() {
   auto surface = std::make_shared<QOffscreenSurface>();
   surface->setFormat(QSurfaceFormat::defaultFormat());
   surface->create();
-  const std::filesystem::path cache =
-      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  const std::filesystem::path cache = userCacheFolder("bakes");
   Q_EMIT progressed(0.0);
   m_tasks.run(
       kLane, tr("Drawing %1").arg(nameOf(request)),

@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QMainWindow>
 #include <QMenu>
-#include <QStandardPaths>
 #include <QThreadPool>
 #include <QWhatsThis>
 
@@ -81,12 +80,13 @@ void ProgramActions::apply() {
   m_parts.autosave.setIntervalMs(values.autosaveSeconds * 1000);
   m_parts.viewport.setTargetSamples(values.stillSamples);
   m_parts.viewport.setStatisticsVisible(values.statistics);
-  const auto folder = toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation));
+  const std::filesystem::path folder = userCacheFolder();
+  if (folder.empty()) return;
   const auto most = static_cast<std::uintmax_t>(values.cacheMegabytes) << 20U;
   // The renderer keeps to limits of its own while it runs; what a person allows is looked after beside it.
   QThreadPool::globalInstance()->start([folder, most] {
     std::error_code ignored;
-    trimDiskCache(folder / "environments", "", most * 3 / 4);
+    trimDiskCache(folder / "bakes", "", most * 3 / 4);
     trimDiskCache(folder / "thumbnails", "", most / 4);
   });
 }

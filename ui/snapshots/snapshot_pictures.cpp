@@ -2,10 +2,10 @@
 
 #include <QImage>
 #include <QOffscreenSurface>
-#include <QStandardPaths>
 #include <QWidget>
 #include <utility>
 
+#include "core/io/disk_cache.h"
 #include "ui/jobs/picture_job.h"
 #include "ui/jobs/task_runner.h"
 #include "ui/snapshots/snapshots.h"
@@ -33,8 +33,7 @@ void SnapshotPictures::drawNext() {
   auto surface = std::make_shared<QOffscreenSurface>();
   surface->setFormat(QSurfaceFormat::defaultFormat());
   surface->create();
-  const std::filesystem::path cache =
-      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  const std::filesystem::path cache = userCacheFolder("bakes");
   m_tasks.run(
       kLane, tr("Drawing a snapshot"),
       [surface, scene, request, cache](std::stop_token stop) {

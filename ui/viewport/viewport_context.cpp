@@ -1,9 +1,9 @@
 // The graphics card under the picture: the renderer is made with each context, and given up with it or when the driver
 // takes the context away.
 #include <QOpenGLContext>
-#include <QStandardPaths>
 #include <utility>
 
+#include "core/io/disk_cache.h"
 #include "ui/text.h"
 #include "ui/viewport/compared_picture.h"
 #include "ui/viewport/model_picker.h"
@@ -31,8 +31,7 @@ void Viewport::initializeGL() {
 
 RendererOptions Viewport::rendererOptions() const {
   RendererOptions options;
-  options.cacheFolder =
-      toPath(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/environments"));
+  options.cacheFolder = userCacheFolder("bakes");
   options.bakeMeshes = true;
   options.platform = "widget";
   return options;

@@ -42,7 +42,6 @@ fs::path meshBakeFile(const Model& model, const MeshBakeOptions& options) {
   hash = hashed(model.normals, hash);
   hash = hashed(model.indices, hash);
   std::vector<std::uint64_t> rest = {static_cast<std::uint64_t>(options.skyRays),
-
                                      static_cast<std::uint64_t>(options.thicknessRays), options.mostPoints};
   for (const ModelPart& part : model.parts) {
     const bool casts = part.slot >= options.castingSlots.size() || options.castingSlots[part.slot];
@@ -53,7 +52,8 @@ fs::path meshBakeFile(const Model& model, const MeshBakeOptions& options) {
   return options.cacheFolder / (hexadecimal(hash) + kSuffix);
 }
 
-std::optional<MeshBake> readMeshBake(const fs::path& file, const Model& model) {
+std::optional<MeshBake> readMeshBake(const fs::path& kept, const Model& model) {
+  const fs::path file = cachedFile(kept);
   std::ifstream stream(file, std::ios::binary);
   Header header{};
   if (!stream.read(reinterpret_cast<char*>(&header), sizeof header)) return std::nullopt;

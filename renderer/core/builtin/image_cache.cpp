@@ -26,16 +26,15 @@ struct Header {
 };
 
 fs::path fileOf(const ImageKey& key) {
-  const fs::path folder = userCacheFolder();
+  const fs::path folder = userCacheFolder("maps");
   if (folder.empty()) return {};
-  return folder / "maps" /
-         fmt::format("{:016x}-{:016x}{}", key.source, XXH3_64bits(key.what.data(), key.what.size()), kSuffix);
+  return folder / fmt::format("{:016x}-{:016x}{}", key.source, XXH3_64bits(key.what.data(), key.what.size()), kSuffix);
 }
 
 }  // namespace
 
 std::optional<Image> readCachedImage(const ImageKey& key, std::string_view name) {
-  const fs::path file = fileOf(key);
+  const fs::path file = cachedFile(fileOf(key));
   std::ifstream in(file, std::ios::binary);
   Header header;
   if (!in.read(reinterpret_cast<char*>(&header), sizeof header) || header.source != key.source) return std::nullopt;

@@ -5,18 +5,13 @@
 #include <mutex>
 
 #include "core/io/importer.h"
+#include "core/io/program_folder.h"
 
 namespace dermis {
 namespace {
 
 std::mutex g_mutex;
 std::atomic<const Importer*> g_importer = nullptr;
-
-std::filesystem::path executableFolder() {
-  std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::current_path() : self.parent_path();
-}
 
 }  // namespace
 
@@ -25,7 +20,7 @@ Result<const Importer*> importer() {
   const std::lock_guard lock(g_mutex);
   if (const Importer* loaded = g_importer.load()) return loaded;
 
-  const std::filesystem::path folder = executableFolder();
+  const std::filesystem::path folder = programFolder();
   const std::array candidates = {folder / "dermis_import.so", folder / "../bin/dermis_import.so",
                                  folder / "../lib/dermis/dermis_import.so"};
   for (const auto& candidate : candidates) {

@@ -83,13 +83,14 @@ void eachArray(Stream& stream, AnyHead& head) {
 }  // namespace
 
 fs::path headCacheFile(HeadLevel level) {
-  const fs::path folder = userCacheFolder();
+  const fs::path folder = userCacheFolder("heads");
   if (folder.empty()) return {};
-  return folder / "heads" / fmt::format("{:016x}-{}{}", kHeadSourceHash, static_cast<int>(level), kSuffix);
+  return folder / fmt::format("{:016x}-{}{}", kHeadSourceHash, static_cast<int>(level), kSuffix);
 }
 
-std::optional<Head> readHead(const fs::path& file) {
-  if (file.empty()) return std::nullopt;
+std::optional<Head> readHead(const fs::path& kept) {
+  if (kept.empty()) return std::nullopt;
+  const fs::path file = cachedFile(kept);
   const Result<std::string> bytes = readFile(file, kMostBytes);
   if (!bytes || bytes->size() < sizeof(Header)) return std::nullopt;
   Header header{};

@@ -198,7 +198,7 @@ Image makeHeadBaked(const Head& head, HeadMap map, int size) {
   // As the renderer asks for it, so that the two share a file: the cornea stops no light.
   for (const ModelSlot& slot : head.model.slots)
     options.castingSlots.push_back(slot.imported.model != ShadingModel::Lens);
-  options.cacheFolder = userCacheFolder();
+  options.cacheFolder = userCacheFolder("bakes");
   const auto baked = bakeMesh(head.model, options);
   if (!baked) return {};
   // The atlas interpolates positions; here they are numbers to be interpolated.
