@@ -10,8 +10,6 @@
 #include <csignal>
 #include <sstream>
 
-extern char** environ;
-
 namespace dermis::test {
 namespace {
 
@@ -28,12 +26,14 @@ std::vector<std::string> environmentText(const std::map<std::string, std::string
   all.erase("WAYLAND_DISPLAY");
   for (const auto& [key, value] : changes) all[key] = value;
   std::vector<std::string> result;
-  for (const auto& [key, value] : all) result.push_back(key + "=" + value);
+  result.reserve(all.size());
+  for (const auto& [key, value] : all) result.emplace_back(key).append(1, '=').append(value);
   return result;
 }
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
+  result.reserve(texts.size() + 1);
   for (std::string& text : texts) result.push_back(text.data());
   result.push_back(nullptr);
   return result;

@@ -75,7 +75,7 @@ void Exports::startNext() {
   Q_EMIT progressed(0.0);
   m_tasks.run(
       kLane, tr("Drawing %1").arg(nameOf(request)),
-      [this, surface, scene = scene, request = request, cache, metadata = m_metadata](std::stop_token stop) {
+      [this, surface, scene = scene, request = request, cache, metadata = m_metadata](const std::stop_token& stop) {
         const auto progress = [this](double fraction) {
           QMetaObject::invokeMethod(
               this, [this, fraction] { Q_EMIT progressed(fraction); }, Qt::QueuedConnection);

@@ -36,9 +36,9 @@ void SnapshotPictures::drawNext() {
   const std::filesystem::path cache = userCacheFolder("bakes");
   m_tasks.run(
       kLane, tr("Drawing a snapshot"),
-      [surface, scene, request, cache](std::stop_token stop) {
+      [surface, scene, request, cache](const std::stop_token& stop) {
         return drawPicture(
-            *surface, scene, request, cache, {}, [](double) {}, std::move(stop));
+            *surface, scene, request, cache, {}, [](double) {}, stop);
       },
       // The surface is held here too: it has to go on the thread it came from.
       [this, surface, scene](const Result<DrawnPicture>& result) {
