@@ -10,7 +10,7 @@ class QCoreApplication;
 namespace dermis {
 
 /// Looks for dermis_LANGUAGE_COUNTRY.qm, then dermis_LANGUAGE.qm, and Qt's own words beside it. False where there is
-/// none: the program then speaks English.
+/// none: the program then speaks English, "1 file" and "2 files" where the source has "%n file(s)".
 bool loadTranslation(QCoreApplication& application, const QLocale& locale, const QString& folder);
 /// Where translations lie: beside the program (translations/), or where it is installed (../share/dermis/translations).
 [[nodiscard]] QString translationFolder();

@@ -21,6 +21,7 @@
 
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/dialogs/shortcuts_dialog.h"
+#include "ui/docks/history_panel.h"
 #include "ui/docks/material_panel.h"
 #include "ui/document/document.h"
 #include "ui/document/loading.h"
@@ -248,6 +249,10 @@ TEST_F(Program, ATranslationIsFoundByTheLocale) {
                                          QStringLiteral("-qm"), made}),
             0);
   EXPECT_FALSE(loadTranslation(*qApp, QLocale(QStringLiteral("fi_FI")), folder.path()));
+  const auto steps = [](int count) { return HistoryPanel::tr("%n step(s) after the saved state", nullptr, count); };
+  EXPECT_EQ(steps(1), QStringLiteral("1 step after the saved state"));
+  EXPECT_EQ(steps(2), QStringLiteral("2 steps after the saved state"));
+  EXPECT_EQ(FileActions::tr("Scenes"), QStringLiteral("Scenes"));
   ASSERT_TRUE(loadTranslation(*qApp, QLocale(QStringLiteral("hr_HR")), folder.path()));
   EXPECT_EQ(FileActions::tr("Scenes"), QStringLiteral("Scene!"));
   {
