@@ -42,14 +42,14 @@ tones=()
 for tone in i ii iii iv v vi; do
   case $tone in  # the eyes that mostly go with it
     i | ii | iii) iris=() ;;
-    *) iris=(--set eye/eye.iris_color=0.13,0.07,0.035) ;;
+    *) iris=(--material eye=builtin:eye_brown) ;;
   esac
   picture tones "tone_$tone" 198x250 "$face" --environment builtin:clamshell --material "face=builtin:face_tone_$tone" "${iris[@]}"
   tones+=("tone_$tone")
 done
 row tones 6 "${tones[@]}"
 
-grey=(--set hair/base.albedo=0.42,0.41,0.40)
+grey=(--material hair=builtin:hair_grey)
 picture ages 28_years 300x386 "$from_front" --environment builtin:golden_hour
 picture ages 72_years 300x386 "$from_front" --environment builtin:golden_hour --material face=builtin:face_aged "${grey[@]}"
 picture ages flushed 300x386 "$from_front" --environment builtin:overcast --material face=builtin:face_flushed

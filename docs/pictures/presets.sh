@@ -11,7 +11,8 @@ pictures=()
 for file in "$here"/../../resources/presets/*.json; do
   preset=$(basename "$file" .json)
   case $preset in
-    *_eye) slot=eye ;;
+    eye_* | *_eye) slot=eye ;;
+    hair_*) slot=hair ;;
     *_lens) slot=lens ;;
     *) slot=face ;;
   esac

@@ -278,7 +278,7 @@ TEST(PresetIo, AFileNameThatJsonCannotHoldIsRefusedRatherThanChanged) {
 // ---- what the program carries
 
 TEST(BuiltinPresets, AreAsTheProgramWouldWriteThem) {
-  EXPECT_EQ(builtinPresets().size(), 32U);
+  EXPECT_EQ(builtinPresets().size(), 42U);
   for (const BuiltinPreset& builtin : builtinPresets()) {
     Warnings warnings;
     const auto material = loadPreset("builtin:" + builtin.id, warnings);
