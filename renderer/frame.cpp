@@ -236,7 +236,7 @@ void Frame::drawAround(const FrameContext& frame) {
   if (m_targets.split()) {
     const auto timed = m_timer.pass("subsurface");
     // Two passes are enough while something moves; what is looked at or exported gathers from the whole disc.
-    const bool spreads = request.moving && m_targets.prepareSpread().has_value();
+    const bool spreads = (request.moving || m_targetSamples == 1) && m_targets.prepareSpread().has_value();
     subsurfacePass(frame, spreads ? DiffusionQuality::Separable : DiffusionQuality::Disc);
   }
   m_targets.scene().bind();

@@ -103,6 +103,11 @@ gl::ProgramSources surfaceProgram(ShadingModel model, SurfaceOutputs outputs, st
   return sources;
 }
 
+gl::ProgramSources forLampsOf(gl::ProgramSources sources, const ResolvedScene& scene) {
+  if (std::ranges::none_of(scene.scene.lights, &Light::enabled)) sources.defines.emplace_back("DERMIS_NO_LAMPS");
+  return sources;
+}
+
 void surfacePass(const FrameContext& frame) {
   beginOpaque(frame);
   const auto& parts = frame.scene.model->parts;
@@ -124,7 +129,7 @@ gl::ProgramSources deferredProgram(const ResolvedScene& scene, std::size_t slot,
   sources.vertex = "full_screen.vert";
   sources.defines.emplace_back("DERMIS_DEFERRED");
   sources.defines.emplace_back(moving ? "DERMIS_MOVING" : kGradients);
-  return withTiles(std::move(sources), readsTiles(scene, slot));
+  return forLampsOf(withTiles(std::move(sources), readsTiles(scene, slot)), scene);
 }
 
 bool deferringPays(const ResolvedScene& scene) {

@@ -23,6 +23,9 @@ enum class SurfaceOutputs { Picture, Split, Everything, BlendedEverything };
 /// As a define: the maps that are there, for programs that know them.
 [[nodiscard]] std::string mapsDefine(int maps);
 
+/// Without the lamps' part of lights.glsl where none is lit.
+[[nodiscard]] gl::ProgramSources forLampsOf(gl::ProgramSources sources, const ResolvedScene& scene);
+
 /// Opaque parts, depth tested and written.
 void surfacePass(const FrameContext& frame);
 

@@ -49,7 +49,7 @@ std::vector<std::byte> keyOf(const FrameContext& frame, std::size_t slot, const 
 gl::ProgramSources vertexLightProgram(const ResolvedScene& scene, std::size_t slot, bool withLamps) {
   gl::ProgramSources sources;
   sources.compute = "vertex_light.comp";
-  if (!addsLamps(scene, slot, withLamps)) return sources;
+  if (!addsLamps(scene, slot, withLamps)) return forLampsOf(std::move(sources), scene);
   sources.defines = {"DERMIS_FAR_LAMPS", mapsDefine(presentMaps(scene, slot))};
   return withTiles(std::move(sources), readsTiles(scene, slot));
 }

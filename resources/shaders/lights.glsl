@@ -29,12 +29,17 @@ float spotFalloff(float cos_angle, float cos_inner, float cos_outer) {
   return t * t;
 }
 
-// Does DO(number) for each lamp. Software GL runs a loop's body once more when all pixels have left it at its top, so it asks at its end.
+// Does DO(number) for each lamp. Software GL runs a loop's body once more when all pixels have left it at its top, so it asks at its end;
+// and both sides of every branch, so where there is no lamp it gets DERMIS_NO_LAMPS.
+#ifdef DERMIS_NO_LAMPS
+#define EACH_LIGHT(DO)
+#else
 #define EACH_LIGHT(DO)                                    \
   if (u_light_count.x > 0) {                              \
     int number = 0;                                       \
     do { DO(number) } while (++number < u_light_count.x); \
   }
+#endif
 
 LightSample lightAt(int index, vec3 position) {
   LightData light = u_lights[index];

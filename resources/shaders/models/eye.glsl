@@ -68,14 +68,18 @@ vec3 eyeAlbedo(EyeSight sight) {
   return albedo * (1.0 - u_material.eye_limbus_darkness * ring) * colourMap(u_map_albedo, kMapAlbedo, sight.uv).rgb;
 }
 
-// The lamps' light on the iris, as layerLamps gives it for a body: through the cornea, which draws it together and away from the lamp.
+// A lamp's light on the iris, as addLamp gives it for a body: through the cornea, which draws it together and away from the lamp.
+void addIrisLamp(int number, Layer layer, EyeShape shape, EyeSight sight, vec3 position, vec3 vertex_normal, inout vec3 sum) {
+  LightSample light = lightAt(number, position);
+  IrisBeam beam = irisBeam(shape, sight.iris, normalize(light.to_light * sight.world_from_eye));
+  sum += light.irradiance * (beam.gain * shadowAt(number, position, vertex_normal)) * bodyTransmittance(layer, beam.cosine);
+}
+
 vec3 irisLamps(Layer layer, LayerPoint p, EyeShape shape, EyeSight sight, vec3 position, vec3 vertex_normal) {
   vec3 sum = vec3(0.0);
-  for (int i = 0; i < u_light_count.x; ++i) {
-    LightSample light = lightAt(i, position);
-    IrisBeam beam = irisBeam(shape, sight.iris, normalize(light.to_light * sight.world_from_eye));
-    sum += light.irradiance * (beam.gain * shadowAt(i, position, vertex_normal)) * bodyTransmittance(layer, beam.cosine);
-  }
+#define ADD_LAMP(number) addIrisLamp(number, layer, shape, sight, position, vertex_normal, sum);
+  EACH_LIGHT(ADD_LAMP)
+#undef ADD_LAMP
   return sum * kInversePi * p.body_in;
 }
 
