@@ -49,7 +49,7 @@ Json figuresJson(const EnvironmentReadback& baked, const std::vector<std::string
   json["perceptual_roughness"] = roughness;
   json["cube_sizes"] = {
       {"sharp", f.sharpFaceSize}, {"prefiltered", f.prefilteredFaceSize}, {"irradiance", f.irradianceFaceSize}};
-  json["storage"] = f.floatStorage ? "RGBA32F" : "RGBA16F";
+  json["storage"] = f.floatStorage ? "RGBA32F" : "RGB9_E5";
   json["from_cache"] = f.fromCache;
   json["cleaned"] = {{"negative", f.cleaned.negative}, {"not_finite", f.cleaned.nonFinite}};
   json["milliseconds"] = {{"clean", f.cleanMs},         {"sources", f.sourcesMs},       {"sharp", f.sharpMs},

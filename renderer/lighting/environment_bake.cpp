@@ -4,15 +4,20 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <span>
+#include <tuple>
 
 #include "lighting/environment_cache.h"
 #include "lighting/ggx_prefilter.h"
 #include "lighting/half_float.h"
 #include "lighting/radiance_tree.h"
 #include "lighting/roughness_nodes.h"
+#include "lighting/shared_exponent.h"
 #include "lighting/sharp_cube.h"
 
 namespace dermis {
@@ -21,7 +26,8 @@ namespace {
 constexpr int kIrradianceFace = 128;
 /// While a lamp of the environment is dragged: as much as shows where it is.
 constexpr int kPreviewFace = 32, kPreviewIrradianceFace = 16;
-constexpr float kHalfMax = 65504.0F;
+/// What both small formats hold.
+constexpr float kStorageMax = kSharedExponentMax;
 
 class Stopwatch {
  public:
@@ -54,55 +60,64 @@ float peakOf(const std::vector<float>& values) {
   return peak;
 }
 
-/// A power of two to divide by, so that half floats hold the peak without pushing the mean into the denormals; 0 where
-/// none does.
-float halfScale(float peak, float mean) {
+/// A power of two to divide by, so that the small formats hold the peak without pushing the mean into the denormals; 0
+/// where none does.
+float storageScale(float peak, float mean) {
   float scale = 1.0F;
   if (mean > 0.0F && mean < 0x1p-6F) scale = std::exp2(std::floor(std::log2(std::max(mean, 1.0e-30F))));
-  if (peak / scale > kHalfMax) scale = std::exp2(std::ceil(std::log2(peak / kHalfMax)));
-  return mean / scale < 0x1p-6F && peak > kHalfMax * scale * 0x1p-8F ? 0.0F : scale;
+  if (peak / scale > kStorageMax) scale = std::exp2(std::ceil(std::log2(peak / kStorageMax)));
+  return mean / scale < 0x1p-6F && peak > kStorageMax * scale * 0x1p-8F ? 0.0F : scale;
 }
 
-std::shared_ptr<BakedEnvironment> pack(const Parts& parts) {
-  auto baked = std::make_shared<BakedEnvironment>();
-  const float half = halfScale(parts.peak, parts.mean);
-  baked->floatStorage = half == 0.0F;
-  baked->scale = baked->floatStorage ? 1.0F : half;
-  const std::size_t bytesPerValue = baked->floatStorage ? sizeof(float) : sizeof(std::uint16_t);
-
-  std::size_t values = 0;
-  for (const Cubes* cubes : {&parts.sharp, &parts.prefiltered, &parts.irradiance}) {
-    for (const auto& level : cubes->levels) values += level.size();
+/// Stores values / scale at `out`.
+void packLevel(const std::vector<float>& level, float scale, TexelStorage storage, std::byte* out) {
+  if (storage == TexelStorage::Float) {
+    std::memcpy(out, level.data(), level.size() * sizeof(float));
+    return;
   }
-  auto storage = std::make_shared<std::vector<std::byte>>(values * bytesPerValue);
-  std::byte* out = storage->data();
-  const float inverse = 1.0F / baked->scale;
-  const auto packCubes = [&](const Cubes& cubes, CubeTexels& texels) {
-    texels = cubes.shape;
+  constexpr std::size_t kChunk = 1024;  // texels
+  const std::size_t texels = level.size() / 4;
+  const float inverse = 1.0F / scale;
+  tbb::parallel_for(std::size_t{0}, (texels + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    std::array<float, 4 * kChunk> scaled{};
+    const std::size_t first = chunk * kChunk;
+    const std::size_t count = std::min(kChunk, texels - first);
+    for (std::size_t i = 0; i < 4 * count; ++i) scaled[i] = level[4 * first + i] * inverse;
+    const std::span<const float> values = std::span(scaled).first(4 * count);
+    std::byte* to = out + first * bytesPerTexel(storage);
+    if (storage == TexelStorage::Half)
+      toHalf(values, std::bit_cast<std::uint16_t*>(to));
+    else
+      toSharedExponent(values, std::bit_cast<std::uint32_t*>(to));
+  });
+}
+
+std::shared_ptr<BakedEnvironment> pack(const Parts& parts, TexelStorage ofRadiance) {
+  auto baked = std::make_shared<BakedEnvironment>();
+  const float small = storageScale(parts.peak, parts.mean);
+  const bool floats = small == 0.0F || ofRadiance == TexelStorage::Float;
+  baked->scale = floats ? 1.0F : small;
+  const std::array packed = {
+      std::tuple{&parts.sharp, &baked->sharp, floats ? TexelStorage::Float : ofRadiance},
+      std::tuple{&parts.prefiltered, &baked->prefiltered, floats ? TexelStorage::Float : ofRadiance},
+      std::tuple{&parts.irradiance, &baked->irradiance, floats ? TexelStorage::Float : TexelStorage::Half}};
+
+  std::size_t bytes = 0;
+  for (const auto& [cubes, texels, storage] : packed)
+    for (const auto& level : cubes->levels) bytes += level.size() / 4 * bytesPerTexel(storage);
+  auto memory = std::make_shared<std::vector<std::byte>>(bytes);
+  std::byte* out = memory->data();
+  for (const auto& [cubes, texels, storage] : packed) {
+    *texels = cubes->shape;
+    texels->storage = storage;
     const std::byte* begin = out;
-    for (const auto& level : cubes.levels) {
-      if (baked->floatStorage) {
-        std::memcpy(out, level.data(), level.size() * sizeof(float));
-      } else {
-        constexpr std::size_t kChunk = 4096;
-        tbb::parallel_for(std::size_t{0}, (level.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-          std::array<float, kChunk> scaled{};
-          std::array<std::uint16_t, kChunk> halves{};
-          const std::size_t first = chunk * kChunk;
-          const std::size_t count = std::min(kChunk, level.size() - first);
-          for (std::size_t i = 0; i < count; ++i) scaled[i] = level[first + i] * inverse;
-          toHalf(std::span(scaled).first(count), halves.data());
-          std::memcpy(out + first * sizeof(std::uint16_t), halves.data(), count * sizeof(std::uint16_t));
-        });
-      }
-      out += level.size() * bytesPerValue;
+    for (const auto& level : cubes->levels) {
+      packLevel(level, baked->scale, storage, out);
+      out += level.size() / 4 * bytesPerTexel(storage);
     }
-    texels.bytes = {begin, out};
-  };
-  packCubes(parts.sharp, baked->sharp);
-  packCubes(parts.prefiltered, baked->prefiltered);
-  packCubes(parts.irradiance, baked->irradiance);
-  baked->storage = std::move(storage);
+    texels->bytes = {begin, out};
+  }
+  baked->storage = std::move(memory);
   return baked;
 }
 
@@ -135,7 +150,9 @@ Cubes prefilteredCubes(const RadianceMap& map, const RadianceTree& tree, const C
                        const std::stop_token& stop, const std::function<void(float)>& progress) {
   const auto roughnesses = prefilterRoughnesses();
   Cubes cubes;
-  cubes.shape = {faceSize, kPrefilterLayers, kPrefilterLevels, {}};
+  cubes.shape.faceSize = faceSize;
+  cubes.shape.layers = kPrefilterLayers;
+  cubes.shape.levels = kPrefilterLevels;
   for (int l = 0; l < kPrefilterLevels; ++l) {
     std::vector<float> alphas;
     for (int k = l == 0 ? 1 : 0; k < kPrefilterLayers; ++k) {
@@ -204,11 +221,12 @@ Result<std::shared_ptr<BakedEnvironment>> bake(const EnvironmentImages& images, 
       parts.mean += (face.red + face.green + face.blue) / (3.0F * 4.0F * 3.14159265F);
     }
   }
-  auto baked = pack(parts);
+  const bool constant = map.layout == RadianceMap::Layout::Constant;
+  auto baked = pack(parts, constant ? TexelStorage::Float : TexelStorage::SharedExponent);
   figures.sharpFaceSize = baked->sharp.faceSize;
   figures.prefilteredFaceSize = baked->prefiltered.faceSize;
   figures.irradianceFaceSize = baked->irradiance.faceSize;
-  figures.floatStorage = baked->floatStorage;
+  figures.floatStorage = baked->sharp.storage == TexelStorage::Float;
   figures.totalMs = total.lap();
   baked->figures = figures;
   return baked;

@@ -24,27 +24,33 @@ struct EnvironmentBakeOptions {
 /// Sizes, times and counts, as `dermis bake environment` writes them to bake.json.
 struct EnvironmentFigures {
   int sharpFaceSize = 0, prefilteredFaceSize = 0, irradianceFaceSize = 0;
-  bool floatStorage = false;  ///< RGBA32F, because the brightest texel passes what a half float holds
+  bool floatStorage = false;  ///< RGBA32F, because the brightest texel passes what the smaller formats hold
   bool fromCache = false;
   CleanedTexels cleaned;
   double cleanMs = 0, sourcesMs = 0, sharpMs = 0, prefilterMs = 0, irradianceMs = 0, cacheMs = 0,
          totalMs = 0;  ///< wall
 };
 
-/// One cube map: RGBA texels, level by level, in each level layer-face by layer-face (layer · 6 + face), row 0 at t =
-/// 0.
+/// How a cube's texels are kept: RGBA floats, RGBA half floats, or RGB with one exponent (shared_exponent.h).
+enum class TexelStorage : std::uint8_t { Float, Half, SharedExponent };
+[[nodiscard]] constexpr std::size_t bytesPerTexel(TexelStorage storage) {
+  return storage == TexelStorage::Float ? 16 : storage == TexelStorage::Half ? 8 : 4;
+}
+
+/// One cube map: texels level by level, in each level layer-face by layer-face (layer · 6 + face), row 0 at t = 0.
 struct CubeTexels {
   int faceSize = 1;
   int layers = 1;  ///< cubes of an array
   int levels = 1;
-  std::span<const std::byte> bytes;  ///< half floats or floats, see BakedEnvironment::floatStorage
+  TexelStorage storage = TexelStorage::Half;
+  std::span<const std::byte> bytes;
   [[nodiscard]] int size(int level) const { return faceSize >> level > 0 ? faceSize >> level : 1; }
 };
 
-/// Everything of one environment; immutable. Values are radiance / scale.
+/// Everything of one environment; immutable. Values are radiance / scale. Radiance takes the small format: its error
+/// of 2⁻⁹ is a quarter of what 8 bits of sRGB show; irradiance, a hundredth of the bytes, keeps halves.
 struct BakedEnvironment {
   CubeTexels sharp, prefiltered, irradiance;
-  bool floatStorage = false;
   float scale = 1.0F;  ///< a power of two that keeps dim environments out of the denormals
   EnvironmentFigures figures;
   Warnings warnings;
@@ -55,7 +61,7 @@ struct BakedEnvironment {
 using BakeProgress = std::atomic<float>;
 
 /// Changes whenever the same image would give other texels; part of the cache's key.
-inline constexpr std::uint32_t kEnvironmentBakeVersion = 2;
+inline constexpr std::uint32_t kEnvironmentBakeVersion = 3;
 
 /// Reads the cache or bakes (and writes the cache). Errors: Cancelled.
 [[nodiscard]] Result<std::shared_ptr<const BakedEnvironment>> bakeEnvironment(const EnvironmentImages& images,

@@ -25,15 +25,15 @@ namespace fs = std::filesystem;
 constexpr const char* kSuffix = ".dermisenv";
 
 struct CubeShape {
-  std::int32_t faceSize, layers, levels, reserved;
+  std::int32_t faceSize, layers, levels, storage;  ///< storage: TexelStorage
   std::uint64_t bytes;
 };
 
 /// In front of the texels. Plain values of one machine's byte order: a cache doesn't travel.
 struct Header {
   std::array<char, 8> magic;
-  std::uint32_t version, floatStorage;
-  float scale, reserved;
+  std::uint32_t version;
+  float scale;
   std::uint64_t negative, nonFinite;
   std::array<CubeShape, 3> cubes;
   std::uint64_t texelHash;   ///< XXH3 of all texels
@@ -74,9 +74,9 @@ class Mapping {
 };
 
 /// Bytes that a cube of this shape holds; 0 for an impossible shape.
-std::uint64_t expectedBytes(const CubeShape& shape, bool floats) {
+std::uint64_t expectedBytes(const CubeShape& shape) {
   if (shape.faceSize < 1 || shape.faceSize > 16384 || shape.layers < 1 || shape.layers > 64 || shape.levels < 1 ||
-      shape.levels > 15) {
+      shape.levels > 15 || shape.storage < 0 || shape.storage > static_cast<int>(TexelStorage::SharedExponent)) {
     return 0;
   }
   std::uint64_t texels = 0;
@@ -84,7 +84,7 @@ std::uint64_t expectedBytes(const CubeShape& shape, bool floats) {
     const auto n = static_cast<std::uint64_t>(std::max(1, shape.faceSize >> l));
     texels += n * n * 6U * static_cast<std::uint64_t>(shape.layers);
   }
-  return texels * 4U * (floats ? 4U : 2U);
+  return texels * bytesPerTexel(static_cast<TexelStorage>(shape.storage));
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOpti
   }
   std::uint64_t payload = 0;
   for (const CubeShape& shape : header.cubes) {
-    if (shape.bytes == 0 || shape.bytes != expectedBytes(shape, header.floatStorage != 0)) return nullptr;
+    if (shape.bytes == 0 || shape.bytes != expectedBytes(shape)) return nullptr;
     payload += shape.bytes;
   }
   if (bytes.size() != sizeof header + payload) return nullptr;
@@ -120,7 +120,7 @@ std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOpti
   auto baked = std::make_shared<BakedEnvironment>();
   std::size_t offset = sizeof header;
   const auto cube = [&](const CubeShape& shape) {
-    const CubeTexels texels{shape.faceSize, shape.layers, shape.levels,
+    const CubeTexels texels{shape.faceSize, shape.layers, shape.levels, static_cast<TexelStorage>(shape.storage),
                             bytes.subspan(offset, static_cast<std::size_t>(shape.bytes))};
     offset += static_cast<std::size_t>(shape.bytes);
     return texels;
@@ -128,13 +128,12 @@ std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOpti
   baked->sharp = cube(header.cubes[0]);
   baked->prefiltered = cube(header.cubes[1]);
   baked->irradiance = cube(header.cubes[2]);
-  baked->floatStorage = header.floatStorage != 0;
   baked->scale = header.scale;
   baked->figures.cleaned = {static_cast<std::size_t>(header.negative), static_cast<std::size_t>(header.nonFinite)};
   baked->figures.sharpFaceSize = baked->sharp.faceSize;
   baked->figures.prefilteredFaceSize = baked->prefiltered.faceSize;
   baked->figures.irradianceFaceSize = baked->irradiance.faceSize;
-  baked->figures.floatStorage = baked->floatStorage;
+  baked->figures.floatStorage = baked->sharp.storage == TexelStorage::Float;
   baked->figures.fromCache = true;
   baked->storage = std::move(mapping);
   // The time of last use, for trimDiskCache().
@@ -151,14 +150,14 @@ bool writeEnvironmentCache(const EnvironmentBakeOptions& options, const Environm
   Header header{};
   header.magic = kMagic;
   header.version = kEnvironmentBakeVersion;
-  header.floatStorage = baked.floatStorage ? 1 : 0;
   header.scale = baked.scale;
   header.negative = baked.figures.cleaned.negative;
   header.nonFinite = baked.figures.cleaned.nonFinite;
   const std::array cubes = {&baked.sharp, &baked.prefiltered, &baked.irradiance};
   std::size_t payload = 0;
   for (std::size_t i = 0; i < cubes.size(); ++i) {
-    header.cubes[i] = {cubes[i]->faceSize, cubes[i]->layers, cubes[i]->levels, 0, cubes[i]->bytes.size()};
+    header.cubes[i] = {cubes[i]->faceSize, cubes[i]->layers, cubes[i]->levels, static_cast<int>(cubes[i]->storage),
+                       cubes[i]->bytes.size()};
     payload += cubes[i]->bytes.size();
   }
   // The three follow one another in memory, see pack() in environment_bake.cpp.

@@ -13,10 +13,16 @@
 namespace dermis {
 namespace {
 
-gl::Texture makeCube(const CubeTexels& texels, bool floats, std::string label, bool array) {
+GLenum formatOf(TexelStorage storage) {
+  return storage == TexelStorage::Float  ? GL_RGBA32F
+         : storage == TexelStorage::Half ? GL_RGBA16F
+                                         : GL_RGB9_E5;
+}
+
+gl::Texture makeCube(const CubeTexels& texels, std::string label, bool array) {
   gl::TextureSpec spec;
   spec.target = array ? GL_TEXTURE_CUBE_MAP_ARRAY : GL_TEXTURE_CUBE_MAP;
-  spec.format = floats ? GL_RGBA32F : GL_RGBA16F;
+  spec.format = formatOf(texels.storage);
   spec.width = spec.height = texels.faceSize;
   spec.depth = texels.layers;
   spec.levels = texels.levels;
@@ -37,10 +43,10 @@ class EnvironmentUpload {
       : m_baked(std::move(baked)), m_map(std::make_shared<EnvironmentMap>()) {
     m_map->m_scale = m_baked->scale;
     m_map->m_figures = m_baked->figures;
-    m_map->m_harmonics = harmonicsOfIrradiance(m_baked->irradiance, m_baked->floatStorage);
-    m_map->m_sharp = makeCube(m_baked->sharp, m_baked->floatStorage, "environment, sharp", false);
-    m_map->m_prefiltered = makeCube(m_baked->prefiltered, m_baked->floatStorage, "environment, prefiltered", true);
-    m_map->m_irradiance = makeCube(m_baked->irradiance, m_baked->floatStorage, "environment, irradiance", false);
+    m_map->m_harmonics = harmonicsOfIrradiance(m_baked->irradiance);
+    m_map->m_sharp = makeCube(m_baked->sharp, "environment, sharp", false);
+    m_map->m_prefiltered = makeCube(m_baked->prefiltered, "environment, prefiltered", true);
+    m_map->m_irradiance = makeCube(m_baked->irradiance, "environment, irradiance", false);
     m_parts = {Part{&m_baked->prefiltered, &m_map->m_prefiltered}, Part{&m_baked->irradiance, &m_map->m_irradiance},
                Part{&m_baked->sharp, &m_map->m_sharp}};
     for (const Part& part : m_parts) m_total += part.texels->bytes.size();
@@ -66,9 +72,12 @@ class EnvironmentUpload {
   std::size_t uploadFace() {
     const CubeTexels& texels = *m_parts[m_part].texels;
     const auto n = static_cast<std::size_t>(texels.size(m_level));
-    const std::size_t faceBytes = n * n * 4 * (m_baked->floatStorage ? sizeof(float) : sizeof(std::uint16_t));
-    const GLenum type = m_baked->floatStorage ? GL_FLOAT : GL_HALF_FLOAT;
-    m_parts[m_part].texture->uploadLayer(m_level, m_face, GL_RGBA, type, texels.bytes.data() + m_offset);
+    const std::size_t faceBytes = n * n * bytesPerTexel(texels.storage);
+    const GLenum format = texels.storage == TexelStorage::SharedExponent ? GL_RGB : GL_RGBA;
+    const GLenum type = texels.storage == TexelStorage::Float  ? GL_FLOAT
+                        : texels.storage == TexelStorage::Half ? GL_HALF_FLOAT
+                                                               : GL_UNSIGNED_INT_5_9_9_9_REV;
+    m_parts[m_part].texture->uploadLayer(m_level, m_face, format, type, texels.bytes.data() + m_offset);
     m_offset += faceBytes;
     if (++m_face == 6 * texels.layers) {
       m_face = 0;

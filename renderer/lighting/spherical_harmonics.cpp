@@ -54,10 +54,10 @@ std::array<glm::dvec3, 9> sphericalHarmonics9(const RadianceMap& map) {
   return sums;
 }
 
-Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance, bool floats) {
+Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance) {
   const int n = irradiance.faceSize;
   const float side = static_cast<float>(n);
-  const std::size_t texelBytes = 4 * (floats ? sizeof(float) : sizeof(std::uint16_t));
+  const std::size_t texelBytes = bytesPerTexel(irradiance.storage);
   const std::size_t faceBytes = static_cast<std::size_t>(n) * static_cast<std::size_t>(n) * texelBytes;
   std::array<glm::dvec3, 9> sums{};
   std::size_t offset = 0;
@@ -67,7 +67,7 @@ Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance, bool fl
       for (int face = 0; face < 6; ++face) {
         const std::byte* texel = irradiance.bytes.data() + static_cast<std::size_t>(face) * faceBytes + offset;
         glm::vec4 rgba;
-        if (floats) {
+        if (irradiance.storage == TexelStorage::Float) {
           std::memcpy(&rgba, texel, sizeof rgba);
         } else {
           std::uint64_t halves = 0;
