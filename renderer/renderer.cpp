@@ -175,13 +175,13 @@ class GlRenderer final : public Renderer {
       if (castShadows) both.push_back(withTiles(casterProgram(cutOuts), cutOuts && tiled));
       if (mayDisplace) both.push_back(withTiles(displacedCasterProgram(), tiled));
     }
-    if (isSplit(scene) || withAovs) {
+    // Without a window what spreads the light is compiled when it is drawn: a picture of one sample takes the other one.
+    if (m_hasWindow && (isSplit(scene) || withAovs)) {
       const std::size_t profiles = profileCount(scene);
       for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Disc, profiles))
         still.push_back(std::move(sources));
-      if (m_hasWindow)
-        for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Separable, profiles))
-          moving.push_back(std::move(sources));
+      for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Separable, profiles))
+        moving.push_back(std::move(sources));
     }
     std::vector<gl::ProgramSources> wanted;
     for (const auto* list : {&moving, &both, &still})

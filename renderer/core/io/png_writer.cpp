@@ -1,6 +1,7 @@
 #include "core/io/png_writer.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <bit>
 #include <csetjmp>
@@ -12,8 +13,10 @@
 namespace dermis {
 namespace {
 
-/// Deflate's effort: level 3 makes files a tenth larger than 6 at a third of the time.
-constexpr int kCompressionLevel = 3;
+/// Runs and Huffman codes alone, over differences from the row above: pictures hold few longer repeats, so files are as
+/// small as at deflate's level 3 (the built-in look a tenth smaller, its colour map a twentieth larger) in half its time.
+constexpr int kStrategy = Z_RLE;
+constexpr int kFilter = PNG_FILTER_UP;
 
 int colourType(int channels) {
   switch (channels) {
@@ -37,8 +40,8 @@ bool encode(png_structp png, png_infop info, const Image& image, std::vector<png
             std::vector<png_text>& texts, std::string& bytes) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT: libpng's interface
   png_set_write_fn(png, &bytes, append, nullptr);
-  png_set_compression_level(png, kCompressionLevel);
-  png_set_filter(png, 0, PNG_FILTER_SUB | PNG_FILTER_UP);
+  png_set_compression_strategy(png, kStrategy);
+  png_set_filter(png, 0, kFilter);
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
                image.type == PixelType::U16 ? 16 : 8, colourType(image.channels), PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
