@@ -8,6 +8,7 @@
 #include "lighting/environment_map.h"
 #include "lighting/spherical_harmonics.h"
 #include "passes/accumulate_pass.h"
+#include "passes/data_window.h"
 #include "passes/reference_objects.h"
 #include "passes/sky_pass.h"
 #include "passes/subsurface_pass.h"
@@ -35,10 +36,22 @@ template <class Draw>
 void inAreas(const std::vector<PixelArea>& areas, Draw draw) {
   glEnable(GL_SCISSOR_TEST);
   for (const PixelArea& area : areas) {
-    glScissor(area.lower.x, area.lower.y, area.upper.x - area.lower.x, area.upper.y - area.lower.y);
+    const glm::ivec2 extent = area.extent();
+    if (extent.x < 1 || extent.y < 1) continue;
+    glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
     draw();
   }
   glDisable(GL_SCISSOR_TEST);
+}
+
+void setCamera(FrameBlock& block, const CameraMatrices& camera, glm::ivec2 size) {
+  block.view = camera.view;
+  block.projection = camera.projection;
+  block.viewProjection = camera.viewProjection;
+  block.inverseViewProjection = camera.inverseViewProjection;
+  block.cameraPosition = {camera.position, camera.orthographic ? 1.0F : 0.0F};
+  block.cameraForward = {camera.forward, 0.0F};
+  block.viewport = {glm::vec2(size), 1.0F / glm::vec2(size)};
 }
 
 /// Takes away what was drawn over the background there.
@@ -46,17 +59,18 @@ void clearBeauty(const FrameContext& frame, const std::vector<PixelArea>& areas)
   const glm::vec4 background = backgroundClearColour(frame);
   frame.targets.drawToBeauty();
   frame.targets.scene().bind();
-  glViewport(0, 0, frame.request.size.x, frame.request.size.y);
+  glViewport(0, 0, frame.size().x, frame.size().y);
   inAreas(areas, [&] { glClearBufferfv(GL_COLOR, 0, &background[0]); });
   frame.targets.drawToAll();
 }
 
 }  // namespace
 
-Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software)
+Frame::Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software, bool crops)
     : m_shaders(shaders),
       m_messages(messages),
       m_software(software),
+      m_crops(crops),
       m_shadows(software),
       m_noVertices(gl::VertexArray::create("no vertices")),
       m_frameBlockBuffer(gl::Buffer::writable("frame block", sizeof(FrameBlock))),
@@ -74,6 +88,7 @@ bool Frame::draw(const FrameRequest& request, SceneResources& resources, std::ui
       return false;
     }
     drawAround(*frame);
+    if (m_targets.isCropped()) completePicture(*frame);
     ++statistics.frames;
     if (frame->level > 0) ++statistics.coarseFrames;
   } else {
@@ -125,7 +140,17 @@ std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneRes
       request.moving ? kBeautyOnly | bitOf(sceneImageOf(request.aov)) : m_kept | bitOf(sceneImageOf(request.aov));
   const SceneImages images = wanted != kBeautyOnly || isSplit(*scene) ? wanted | kSplit : wanted;
   const bool multisampled = request.moving && !m_software && images == kBeautyOnly;
-  auto prepared = m_targets.prepare(request.size, images, request.exactDisplay && !request.eightBits, multisampled);
+  // What is looked at besides the picture, and what stands beside the model, needs all of it.
+  const bool isWhole = !m_crops || request.moving || wanted != kBeautyOnly || hasVisibleLamps(*scene) ||
+                       request.references.balls || request.references.chart;
+  const std::vector<glm::vec3> lamps = visibleLampPositions(*scene, request.seconds);
+  const auto cameraOf = [&](glm::vec2 jitter) {
+    return cameraMatrices(request.camera, resources.bounds(), request.size, jitter, lamps);
+  };
+  const PixelArea window = isWhole ? PixelArea{glm::ivec2(0), request.size}
+                                   : dataWindow(cameraOf(glm::vec2(0.0F)), resources.bounds(), request.size, m_targets);
+  auto prepared =
+      m_targets.prepare(request.size, window, images, request.exactDisplay && !request.eightBits, multisampled);
   if (!prepared) {
     m_messages.say(prepared.error().message);
     return std::nullopt;
@@ -150,15 +175,15 @@ std::optional<FrameContext> Frame::prepare(const FrameRequest& request, SceneRes
   m_begunMoving = request.moving;
   m_targetSamples = std::max(request.targetSamples, 1);
 
-  const glm::vec2 jitter = request.moving ? glm::vec2(0.0F) : pixelJitter(m_samples);
-  const std::vector<glm::vec3> lamps = visibleLampPositions(*scene, request.seconds);
+  const CameraMatrices camera = cameraOf(request.moving ? glm::vec2(0.0F) : pixelJitter(m_samples));
   FrameContext frame{request,
                      *scene,
                      resources,
                      m_targets,
                      m_shaders,
                      m_messages,
-                     cameraMatrices(request.camera, resources.bounds(), request.size, jitter, lamps),
+                     m_targets.isCropped() ? cropped(camera, window, request.size) : camera,
+                     camera,
                      multisampled};
   frame.level = levelFor(request, resources, frame.camera);
   return frame;
@@ -232,7 +257,7 @@ void Frame::drawAround(const FrameContext& frame) {
   m_sampleBlockBuffer.bindUniform(kSampleBinding);
   frame.resources.bindLight();
   m_noVertices.bind();
-  glViewport(0, 0, request.size.x, request.size.y);
+  glViewport(0, 0, frame.size().x, frame.size().y);
   if (m_targets.split()) {
     const auto timed = m_timer.pass("subsurface");
     // Two passes are enough while something moves; what is looked at or exported gathers from the whole disc.
@@ -268,6 +293,26 @@ void Frame::drawAround(const FrameContext& frame) {
     referencePass(frame, request.moving ? glm::vec2(0.0F) : pixelJitter(m_samples));
   }
   glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+void Frame::completePicture(const FrameContext& frame) {
+  const glm::ivec2 size = frame.request.size;
+  const PixelArea& window = m_targets.dataWindow();
+  const auto timed = m_timer.pass("sky around");
+  const gl::Framebuffer& picture = m_targets.pictureBuffer();
+  const glm::vec4 background = backgroundClearColour(frame);
+  glClearNamedFramebufferfv(picture.id(), GL_COLOR, 0, &background[0]);
+  picture.bind();
+  glViewport(0, 0, size.x, size.y);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  m_wholeBlockBuffer.bindUniform(kFrameBinding);
+  inAreas(areasAround(window, size), [&] { skyPass(frame); });
+  m_frameBlockBuffer.bindUniform(kFrameBinding);
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  const glm::ivec2 extent = window.extent();
+  glCopyImageSubData(m_targets.image(SceneImage::Beauty).id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     m_targets.whole(SceneImage::Beauty).id(), GL_TEXTURE_2D, 0, window.lower.x, window.lower.y, 0,
+                     extent.x, extent.y, 1);
 }
 
 int Frame::levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera) {
@@ -307,13 +352,7 @@ std::optional<Frame::SurfaceKey> Frame::surfaceKey(const FrameContext& frame) co
 
 FrameBlock Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics) {
   FrameBlock block;
-  const CameraMatrices& camera = frame.camera;
-  block.view = camera.view;
-  block.projection = camera.projection;
-  block.viewProjection = camera.viewProjection;
-  block.inverseViewProjection = camera.inverseViewProjection;
-  block.cameraPosition = {camera.position, camera.orthographic ? 1.0F : 0.0F};
-  block.cameraForward = {camera.forward, 0.0F};
+  setCamera(block, frame.camera, frame.size());
   const EnvironmentSource& environment = frame.scene.scene.environment;
   block.environmentFromWorld = environmentFromWorld(environment.rotationDegrees);
   const EnvironmentMap* map = frame.resources.environment();
@@ -323,8 +362,6 @@ FrameBlock Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& 
     for (std::size_t i = 0; i < harmonics.size(); ++i)
       block.environmentHarmonics.at(i) = glm::vec4(harmonics[i] * block.environmentScale.x, 0.0F);
   }
-  const glm::vec2 size(frame.request.size);
-  block.viewport = {size, 1.0F / size};
   block.units.x = frame.scene.millimetresPerUnit;
   packLights(block, frame.scene.scene.lights, frame.scene.millimetresPerUnit, frame.request.seconds);
   for (std::size_t i = 0; i < m_shadows.points().size(); ++i) packPoint(block.lights.at(i), m_shadows.points()[i]);
@@ -337,8 +374,15 @@ FrameBlock Frame::uploadFrameBlock(const FrameContext& frame, RenderStatistics& 
   }
   m_frameBlockBuffer.bindUniform(kFrameBinding);
   const FrameRequest& request = frame.request;
-  const SampleBlock sample =
+  if (m_targets.isCropped()) {
+    FrameBlock whole = block;
+    setCamera(whole, frame.wholeCamera, request.size);
+    if (!m_wholeBlockBuffer) m_wholeBlockBuffer = gl::Buffer::writable("frame block, whole picture", sizeof whole);
+    m_wholeBlockBuffer.update(0, bytesOf(whole));
+  }
+  SampleBlock sample =
       packSample(request.moving ? 0 : m_samples, m_targetSamples, request.moving, request.withoutSubsurface);
+  sample.window = {m_targets.dataWindow().lower, 0.0F, 0.0F};
   m_sampleBlockBuffer.update(0, bytesOf(sample));
   m_sampleBlockBuffer.bindUniform(kSampleBinding);
   return block;
@@ -352,7 +396,7 @@ void Frame::clear(const FrameContext& frame) const {
   const gl::Framebuffer& target = frame.multisampled ? m_targets.multisampled() : m_targets.scene();
   if (!frame.multisampled) m_targets.drawToAll();
   target.bind();
-  glViewport(0, 0, frame.request.size.x, frame.request.size.y);
+  glViewport(0, 0, frame.size().x, frame.size().y);
   glClearNamedFramebufferfv(target.id(), GL_DEPTH, 0, &farthest);
   glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, &background[0]);
   if (frame.multisampled) return;
@@ -367,7 +411,7 @@ void Frame::clear(const FrameContext& frame) const {
 void Frame::show(const FrameContext& frame, bool fromSums) {
   const FrameRequest& request = frame.request;
   const SceneImage which = sceneImageOf(request.aov);
-  const gl::Texture& image = fromSums ? samplesOf(which) : m_targets.image(which);
+  const gl::Texture& image = fromSums ? samplesOf(which) : m_targets.whole(which);
   const float weight = fromSums ? 1.0F / static_cast<float>(std::max(m_samples, 1)) : 1.0F;
   const glm::ivec2 size = request.displaySize.x > 0 && request.displaySize.y > 0 ? request.displaySize : request.size;
   glBindFramebuffer(GL_FRAMEBUFFER, request.framebuffer);

@@ -20,7 +20,8 @@ namespace dermis {
 
 class Frame {
  public:
-  Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software);
+  /// `crops`: keeps images of no more of a still picture than the model fills. Only for pictures that are read back.
+  Frame(gl::ShaderLibrary& shaders, MessageLog& messages, bool software, bool crops);
 
   /// One frame, or one more sample of a still picture. `revision` changes with whatever changes the picture but camera,
   /// size and time. False where nothing can be drawn.
@@ -88,6 +89,8 @@ class Frame {
   bool drawSurface(const FrameContext& frame, RenderStatistics& statistics);
   /// The second half: diffusion, and what stands behind and before the surface.
   void drawAround(const FrameContext& frame);
+  /// Puts what was drawn of a picture into its place, and the sky around it.
+  void completePicture(const FrameContext& frame);
   /// The level of the model's triangles that a frame is drawn with.
   [[nodiscard]] int levelFor(const FrameRequest& request, SceneResources& resources, const CameraMatrices& camera);
   FrameBlock uploadFrameBlock(const FrameContext& frame, RenderStatistics& statistics);
@@ -99,19 +102,19 @@ class Frame {
   bool accumulate(const FrameContext& frame);
   /// m_samples of a still picture together; nothing where they aren't kept.
   [[nodiscard]] const gl::Texture& samplesOf(SceneImage image) const {
-    return m_summed == m_samples ? m_targets.sum(image) : m_targets.image(image);
+    return m_summed == m_samples ? m_targets.sum(image) : m_targets.whole(image);
   }
 
   gl::ShaderLibrary& m_shaders;
   MessageLog& m_messages;
-  bool m_software;
+  bool m_software, m_crops;
   RenderTargets m_targets;
   ShadowPass m_shadows;
   VertexLight m_vertexLight;
   DisplayPass m_display;
   gl::GpuTimer m_timer;
   gl::VertexArray m_noVertices;
-  gl::Buffer m_frameBlockBuffer, m_sampleBlockBuffer;
+  gl::Buffer m_frameBlockBuffer, m_sampleBlockBuffer, m_wholeBlockBuffer;
   std::vector<std::byte> m_frameBlockBytes;
   StillKey m_stillKey;
   bool m_isBegun = false;  ///< the surface of what m_stillKey asks for is drawn

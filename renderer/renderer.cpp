@@ -43,7 +43,7 @@ class GlRenderer final : public Renderer {
         m_hasWindow(options.platform == RendererOptions().platform),
         m_debug(options.failOnGlError),
         m_resources(options, m_info.software),
-        m_frame(m_shaders, m_messages, m_info.software) {
+        m_frame(m_shaders, m_messages, m_info.software, !m_hasWindow) {
     if (options.timePassesAlone) m_frame.timePassesAlone();
   }
 

@@ -14,9 +14,7 @@ namespace dermis {
 namespace {
 
 GLenum formatOf(TexelStorage storage) {
-  return storage == TexelStorage::Float  ? GL_RGBA32F
-         : storage == TexelStorage::Half ? GL_RGBA16F
-                                         : GL_RGB9_E5;
+  return storage == TexelStorage::Float ? GL_RGBA32F : storage == TexelStorage::Half ? GL_RGBA16F : GL_RGB9_E5;
 }
 
 gl::Texture makeCube(const CubeTexels& texels, std::string label, bool array) {

@@ -15,8 +15,8 @@ namespace dermis {
 /// Dermis's axes (+Y up). The sum goes over all pixels with their solid angles.
 [[nodiscard]] std::array<glm::dvec3, 9> sphericalHarmonics9(const RadianceMap& map);
 
-/// The same radiance from a cube of floats or halves that holds irradiance/π, which has lost everything but these coefficients' like: each
-/// is divided by what the clamped cosine multiplied it by.
+/// The same radiance from a cube of floats or halves that holds irradiance/π, which has lost everything but these
+/// coefficients' like: each is divided by what the clamped cosine multiplied it by.
 [[nodiscard]] Harmonics<glm::vec3> harmonicsOfIrradiance(const CubeTexels& irradiance);
 
 /// Coefficients of the function d ↦ f(turn · d).

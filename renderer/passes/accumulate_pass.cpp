@@ -16,7 +16,7 @@ void accumulatePass(const FrameContext& frame, bool first) {
     // Numbers of materials don't add up: a pixel keeps the largest that touched it.
     glBlendEquation(image == SceneImage::Geometry ? GL_MAX : GL_FUNC_ADD);
     frame.targets.sumBuffer(image).bind();
-    frame.targets.image(image).bind(0);
+    frame.targets.whole(image).bind(0);
     gl::drawFullScreen();
   }
   glBlendEquation(GL_FUNC_ADD);

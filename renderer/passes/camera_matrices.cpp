@@ -68,6 +68,18 @@ CameraMatrices cameraMatrices(const Camera& camera, const Bounds& bounds, glm::i
   return m;
 }
 
+CameraMatrices cropped(const CameraMatrices& camera, const PixelArea& part, glm::ivec2 size) {
+  const glm::vec2 extent(part.extent());
+  const glm::vec2 scale = glm::vec2(size) / extent;
+  const glm::vec2 shift = (glm::vec2(size) - 2.0F * glm::vec2(part.lower)) / extent - 1.0F;
+  CameraMatrices m = camera;
+  m.projection =
+      glm::scale(glm::translate(glm::mat4(1.0F), glm::vec3(shift, 0.0F)), glm::vec3(scale, 1.0F)) * camera.projection;
+  m.viewProjection = m.projection * m.view;
+  m.inverseViewProjection = glm::inverse(m.viewProjection);
+  return m;
+}
+
 float nearestPixel(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size) {
   const float atOne = 2.0F / (camera.projection[1][1] * static_cast<float>(std::max(size.y, 1)));
   if (camera.orthographic) return atOne;

@@ -25,7 +25,15 @@ struct CameraMatrices {
 /// Pixels from `lower` up to, not including, `upper`, counted from the lower left.
 struct PixelArea {
   glm::ivec2 lower{0}, upper{0};
+  [[nodiscard]] glm::ivec2 extent() const { return upper - lower; }
+  [[nodiscard]] bool holds(const PixelArea& other) const {
+    return glm::all(glm::lessThanEqual(lower, other.lower)) && glm::all(glm::greaterThanEqual(upper, other.upper));
+  }
+  bool operator==(const PixelArea&) const = default;
 };
+/// The camera of that part of a picture of `size`: the same points on the same pixels, counted from the part's corner.
+[[nodiscard]] CameraMatrices cropped(const CameraMatrices& camera, const PixelArea& part, glm::ivec2 size);
+
 /// A rectangle that holds all of `bounds` on the screen; the whole screen where that reaches behind the camera.
 [[nodiscard]] PixelArea screenArea(const CameraMatrices& camera, const Bounds& bounds, glm::ivec2 size);
 

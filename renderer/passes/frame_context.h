@@ -33,10 +33,13 @@ struct FrameContext {
   const RenderTargets& targets;
   gl::ShaderLibrary& shaders;
   MessageLog& messages;
-  CameraMatrices camera;
+  CameraMatrices camera;       ///< of what the images hold, the targets' data window
+  CameraMatrices wholeCamera;  ///< of the picture
   bool multisampled = false;
   int level = 0;  ///< of the model's triangles (Geometry::levelWithin)
 
+  /// Of what the images hold; request.size is the picture's.
+  [[nodiscard]] glm::ivec2 size() const { return targets.dataWindow().extent(); }
   /// The level that a part is drawn with: blended ones are few, displaced ones have their own.
   [[nodiscard]] int levelOf(const SlotResources& slot) const {
     return slot.kind == DrawKind::Opaque && !slot.displaced ? level : 0;

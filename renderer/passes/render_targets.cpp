@@ -56,13 +56,16 @@ gl::Framebuffer RenderTargets::framebufferOf(std::span<const SceneImage> images,
   return framebuffer;
 }
 
-Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool precise, bool multisampled) {
-  if (size == m_size && images == m_images && precise == m_precise) {
+Result<bool> RenderTargets::prepare(glm::ivec2 size, const PixelArea& window, SceneImages images, bool precise,
+                                    bool multisampled) {
+  const glm::ivec2 extent = window.extent();
+  if (size == m_size && window == m_window && images == m_images && precise == m_precise) {
     if (!multisampled || m_hasMultisampled) return false;
   } else {
     const bool hadContent = m_size.x > 0;
     *this = RenderTargets();
     m_size = size;
+    m_window = window;
     m_images = images;
     m_precise = precise;
     for (std::size_t i = 0; i < kSceneImageCount; ++i) {
@@ -71,16 +74,26 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
       const auto which = static_cast<SceneImage>(i);
       const bool half = !precise && which != SceneImage::Data && which != SceneImage::Normal;
       m_imagesOf.at(i) = gl::Texture::create({.format = half ? GLenum{GL_RGBA16F} : GLenum{GL_RGBA32F},
-                                              .width = size.x,
-                                              .height = size.y,
+                                              .width = extent.x,
+                                              .height = extent.y,
                                               .label = kNames.at(i)});
     }
     m_depth =
-        gl::Texture::create({.format = GL_DEPTH_COMPONENT32F, .width = size.x, .height = size.y, .label = "depth"});
+        gl::Texture::create({.format = GL_DEPTH_COMPONENT32F, .width = extent.x, .height = extent.y, .label = "depth"});
     m_scene = framebufferOf(kSurfaceImages, "scene");
     m_radiances = framebufferOf(kRadianceImages, "radiances");
     for (const gl::Framebuffer* framebuffer : {&m_scene, &m_radiances})
       if (auto complete = framebuffer->check(); !complete) return tl::unexpected(complete.error());
+    if (isCropped()) {
+      m_picture = gl::Texture::create({.format = precise ? GLenum{GL_RGBA32F} : GLenum{GL_RGBA16F},
+                                       .width = size.x,
+                                       .height = size.y,
+                                       .label = "whole picture"});
+      m_pictureBuffer = gl::Framebuffer::create("whole picture");
+      m_pictureBuffer.attachColour(0, m_picture);
+      m_pictureBuffer.drawTo(1);
+      if (auto complete = m_pictureBuffer.check(); !complete) return tl::unexpected(complete.error());
+    }
     if (split()) {
       m_composed = framebufferOf(kComposedImages, "composed");
       if (auto complete = m_composed.check(); !complete) return tl::unexpected(complete.error());
@@ -90,14 +103,14 @@ Result<bool> RenderTargets::prepare(glm::ivec2 size, SceneImages images, bool pr
   constexpr int kSamples = 4;
   m_msColour = gl::Texture::create({.target = GL_TEXTURE_2D_MULTISAMPLE,
                                     .format = m_precise ? GLenum{GL_RGBA32F} : GLenum{GL_RGBA16F},
-                                    .width = size.x,
-                                    .height = size.y,
+                                    .width = extent.x,
+                                    .height = extent.y,
                                     .samples = kSamples,
                                     .label = "multisampled beauty"});
   m_msDepth = gl::Texture::create({.target = GL_TEXTURE_2D_MULTISAMPLE,
                                    .format = GL_DEPTH_COMPONENT32F,
-                                   .width = size.x,
-                                   .height = size.y,
+                                   .width = extent.x,
+                                   .height = extent.y,
                                    .samples = kSamples,
                                    .label = "multisampled depth"});
   m_multisampled = gl::Framebuffer::create("multisampled scene");
@@ -113,8 +126,8 @@ Result<void> RenderTargets::prepareSpread() {
   if (m_spreading) return {};
   // As fine as what spreads. Not an image of the surface, which the next moving frame may want again.
   m_spread = gl::Texture::create({.format = m_precise ? GLenum{GL_RGBA32F} : GLenum{GL_RGBA16F},
-                                  .width = m_size.x,
-                                  .height = m_size.y,
+                                  .width = m_window.extent().x,
+                                  .height = m_window.extent().y,
                                   .label = "spread along one axis"});
   m_spreading = gl::Framebuffer::create("spread along one axis");
   m_spreading.attachColour(0, m_spread);
@@ -127,7 +140,8 @@ Result<void> RenderTargets::prepareSurfaces(bool moving) {
   SurfaceImages& images = moving ? m_movingSurfaces : m_stillSurfaces;
   if (images.framebuffer) return {};
   const auto image = [&](GLenum format, const char* label) {
-    return gl::Texture::create({.format = format, .width = m_size.x, .height = m_size.y, .label = label});
+    return gl::Texture::create(
+        {.format = format, .width = m_window.extent().x, .height = m_window.extent().y, .label = label});
   };
   if (!m_surface) m_surface = image(GL_RGBA32F, "surface");  // coordinates need 32 bits
   if (!m_tangent) m_tangent = image(GL_RGBA16F, "tangent");

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "gl/gl_objects.h"
+#include "passes/camera_matrices.h"
 #include "renderer.h"
 
 namespace dermis {
@@ -38,9 +39,11 @@ inline constexpr SceneImages kRadiances = kBeautyOnly | bitOf(SceneImage::Specul
 
 class RenderTargets {
  public:
-  /// Makes what is needed and isn't there. `precise` images are 32-bit float, for exports; else RGBA16F.
+  /// Makes what is needed and isn't there. The images hold the part of a picture of `size` that `window` names; where
+  /// it isn't all of it, one more holds the whole beauty. `precise` images are 32-bit float, for exports; else RGBA16F.
   /// `multisampled`: four samples a pixel besides. True where images that had content were replaced. Errors: Runtime.
-  [[nodiscard]] Result<bool> prepare(glm::ivec2 size, SceneImages images, bool precise, bool multisampled);
+  [[nodiscard]] Result<bool> prepare(glm::ivec2 size, const PixelArea& window, SceneImages images, bool precise,
+                                     bool multisampled);
   /// Makes the sums of these images, zeroed by the first sample written. Errors: Runtime.
   [[nodiscard]] Result<void> prepareSums(SceneImages images);
 
@@ -51,7 +54,11 @@ class RenderTargets {
   /// Gives back what the last two made: a picture that has all its samples shows none of it.
   void releaseWork();
 
+  /// The picture's.
   [[nodiscard]] glm::ivec2 size() const { return m_size; }
+  /// What the images hold of it (OpenEXR's data window).
+  [[nodiscard]] const PixelArea& dataWindow() const { return m_window; }
+  [[nodiscard]] bool isCropped() const { return m_window.extent() != m_size; }
   [[nodiscard]] SceneImages images() const { return m_images; }
   [[nodiscard]] bool has(SceneImage image) const { return (m_images & bitOf(image)) != 0; }
   [[nodiscard]] bool split() const { return (m_images & kSplit) == kSplit; }
@@ -74,6 +81,11 @@ class RenderTargets {
   [[nodiscard]] const gl::Texture& image(SceneImage image) const {
     return m_imagesOf.at(static_cast<std::size_t>(image));
   }
+  /// The same of the whole picture: the beauty alone where images are cropped.
+  [[nodiscard]] const gl::Texture& whole(SceneImage image) const {
+    return isCropped() ? m_picture : this->image(image);
+  }
+  [[nodiscard]] const gl::Framebuffer& pictureBuffer() const { return m_pictureBuffer; }
   [[nodiscard]] const gl::Texture& sum(SceneImage image) const { return m_sums.at(static_cast<std::size_t>(image)); }
   [[nodiscard]] const gl::Framebuffer& sumBuffer(SceneImage image) const {
     return m_sumBuffers.at(static_cast<std::size_t>(image));
@@ -93,20 +105,21 @@ class RenderTargets {
   [[nodiscard]] gl::Framebuffer framebufferOf(std::span<const SceneImage> images, const char* label) const;
 
   glm::ivec2 m_size{0};
+  PixelArea m_window;
   SceneImages m_images = 0;
   bool m_precise = false;
   bool m_hasMultisampled = false;
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Texture m_spread, m_encoded;
+  gl::Texture m_spread, m_encoded, m_picture;
   gl::Texture m_surface, m_tangent, m_far;
   struct SurfaceImages {
     gl::Texture sky, bounce, gradients;
     gl::Framebuffer framebuffer;
   };
   SurfaceImages m_movingSurfaces, m_stillSurfaces;
-  gl::Framebuffer m_scene, m_multisampled, m_composed, m_radiances, m_spreading, m_encoding;
+  gl::Framebuffer m_scene, m_multisampled, m_composed, m_radiances, m_spreading, m_encoding, m_pictureBuffer;
 };
 
 }  // namespace dermis

@@ -250,7 +250,7 @@ void ShadowPass::drawFace(const FrameContext& frame, Face& face, glm::vec2 shift
       const gl::Program* program = frame.useProgram(withTiles(displacedCasterProgram(), slot.tiled));
       if (program == nullptr) continue;
       frame.resources.bindSlot(slot);
-      DisplacementView view = displacementView(frame.camera, frame.request.size,
+      DisplacementView view = displacementView(frame.camera, frame.size(),
                                                pixelsPerPiece(frame.request.moving, frame.resources.isSoftware()));
       view.clipFromWorld = glm::translate(face.view.clip, -centre);
       view.leastFacing = -2.0F;

@@ -33,7 +33,7 @@ std::vector<gl::ProgramSources> subsurfacePrograms(DiffusionQuality quality, std
 void subsurfacePass(const FrameContext& frame, DiffusionQuality quality) {
   const DiffusionKernels& kernels = frame.resources.kernels();
   const std::size_t profiles = frame.request.withoutSubsurface ? 0 : kernels.count();
-  const PixelArea area = screenArea(frame.camera, frame.scene.model->bounds, frame.request.size);
+  const PixelArea area = screenArea(frame.camera, frame.scene.model->bounds, frame.size());
   const glm::ivec2 extent = area.upper - area.lower;
   const RenderTargets& targets = frame.targets;
   targets.image(SceneImage::Entering).bind(kEnteringUnit);

@@ -23,9 +23,9 @@ void drawTriangles(const FrameContext& frame, const gl::Program& program, std::s
     geometry.drawPart(index, frame.levelOf(slot), *frame.scene.model);
     return;
   }
-  drawDisplaced(program, slot, geometry, index,
-                displacementView(frame.camera, frame.request.size,
-                                 pixelsPerPiece(frame.request.moving, frame.resources.isSoftware())));
+  drawDisplaced(
+      program, slot, geometry, index,
+      displacementView(frame.camera, frame.size(), pixelsPerPiece(frame.request.moving, frame.resources.isSoftware())));
 }
 
 /// Whether a part's back faces can be left out: where its material shows one side only, and where none is seen because
@@ -183,7 +183,7 @@ void shadingPass(const FrameContext& frame) {
     if (slot.kind != DrawKind::Opaque) continue;
     // Programs run for pixels of other slots too before they find out.
     const Bounds& bounds = slot.displaced ? frame.resources.bounds() : frame.resources.geometry().partBounds()[i];
-    const PixelArea area = screenArea(frame.camera, bounds, frame.request.size);
+    const PixelArea area = screenArea(frame.camera, bounds, frame.size());
     const glm::ivec2 extent = area.upper - area.lower;
     glScissor(area.lower.x, area.lower.y, extent.x, extent.y);
     const gl::Program* program =
@@ -209,7 +209,7 @@ std::vector<PixelArea> transparentAreas(const FrameContext& frame) {
   std::vector<PixelArea> areas;
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (frame.resources.slots()[parts[i].slot].kind != DrawKind::Opaque)
-      areas.push_back(screenArea(frame.camera, frame.resources.geometry().partBounds()[i], frame.request.size));
+      areas.push_back(screenArea(frame.camera, frame.resources.geometry().partBounds()[i], frame.size()));
   return areas;
 }
 

@@ -40,6 +40,7 @@ static_assert(sizeof(FrameBlock) == 416 + kMaxLights * sizeof(LightBlock) + 9 * 
 struct SampleBlock {
   glm::ivec4 sampling{0};
   glm::vec4 random{0.5F};
+  glm::vec4 window{0.0F};
 };
 
 struct MapBlock {

@@ -28,4 +28,5 @@ layout(std140, binding = 5) uniform SampleBlock {
   ivec4 u_sampling;  // x index of the accumulated sample, y 1 while moving, z 1 where the view switches subsurface off,
                      // w samples that the picture will have
   vec4 u_random;     // four numbers in 0..1, evenly spread over the samples
+  vec4 u_window;     // xy lower left corner, in the picture, of the part that is drawn; pixels
 };

@@ -44,9 +44,10 @@ void main() {
   float p2 = dot(from_viewer, from_viewer);
   vec2 p2_step = 2.0 * unit * vec2(dot(along, from_viewer), dot(across, from_viewer));
 
+  vec2 in_picture = gl_FragCoord.xy + u_window.xy;
   // Each pixel turns the pattern and shifts its radii; each sample of the picture does so again.
-  float turn = kTwoPi * fract(gradientNoise(gl_FragCoord.xy) + u_random.x);
-  float shift = fract(gradientNoise(gl_FragCoord.yx + vec2(37.0, 113.0)) + u_random.y);
+  float turn = kTwoPi * fract(gradientNoise(in_picture) + u_random.x);
+  float shift = fract(gradientNoise(in_picture.yx + vec2(37.0, 113.0)) + u_random.y);
   vec2 direction = vec2(cos(turn), sin(turn));
 
   vec3 light = vec3(0.0), found = vec3(0.0), beyond = vec3(0.0);

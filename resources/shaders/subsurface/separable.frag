@@ -103,7 +103,7 @@ void main() {
   line.height_scale = 1.0 / (abs(depth_per_mm) < 1e-20 ? 1e-20 : depth_per_mm);
 
   // Where in its cell each tap falls differs from pixel to pixel, so that few taps make no steps.
-  float noise = fract(gradientNoise(gl_FragCoord.xy) + kNoiseShift);
+  float noise = fract(gradientNoise(gl_FragCoord.xy + u_window.xy) + kNoiseShift);
   float tolerance = u_profile_boundary[PROFILE].w;
   Gathered sum = Gathered(vec3(0.0), vec3(0.0));
   vec4 cell = u_profile_cells[PROFILE * (kSideTaps + 2)];

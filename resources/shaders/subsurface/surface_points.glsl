@@ -44,7 +44,8 @@ vec3 clipOf(vec4 world) {
 }
 vec2 screenOf(vec3 clip) { return (clip.xy / clip.z * 0.5 + 0.5) * u_viewport.xy; }
 
-// Evenly spread over neighbouring pixels: Jimenez 2014, "Next Generation Post Processing in Call of Duty", interleaved gradient noise.
+// Evenly spread over neighbouring pixels of the picture: Jimenez 2014, "Next Generation Post Processing in Call of Duty", interleaved
+// gradient noise.
 float gradientNoise(vec2 screen) { return fract(52.9829189 * fract(dot(screen, vec2(0.06711056, 0.00583715)))); }
 
 #endif
