@@ -432,7 +432,7 @@ void Frame::show(const FrameContext& frame, bool fromSums) {
   constexpr int kSmoothSamples = 4;
   if (!request.exactDisplay && (request.moving ? !frame.multisampled : m_samples < kSmoothSamples)) {
     const bool isOnlyModel = !hasVisibleLamps(frame.scene) && !request.references.balls && !request.references.chart;
-    input.edgeFilter = isOnlyModel ? screenArea(frame.camera, frame.resources.bounds(), request.size)
+    input.edgeFilter = isOnlyModel ? screenArea(frame.wholeCamera, frame.resources.bounds(), request.size)
                                    : PixelArea{glm::ivec2(0), request.size};
   }
   input.dither = true;

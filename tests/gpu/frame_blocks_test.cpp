@@ -6,6 +6,7 @@
 
 #include "core/material/parameter_table.h"
 #include "gpu/gl_fixture.h"
+#include "passes/subsurface_pass.h"
 #include "passes/surface_pass.h"
 #include "passes/uniform_blocks.h"
 
@@ -84,6 +85,17 @@ TEST_F(FrameBlocks, FrameBlockMatchesItsTwin) {
   at("u_lights[0].size", lights + offsetof(LightBlock, size));
   at("u_lights[15].size", lights + 15 * sizeof(LightBlock) + offsetof(LightBlock, size));
   at("u_environment_harmonics[0]", offsetof(FrameBlock, environmentHarmonics));
+}
+
+TEST_F(FrameBlocks, SampleBlockMatchesItsTwin) {
+  auto program = m_shaders.program(subsurfacePrograms(DiffusionQuality::Disc, 1).front());
+  ASSERT_TRUE(program.has_value()) << program.error().message;
+  const auto [size, binding] = sizeAndBinding(**program, "SampleBlock");
+  EXPECT_EQ(binding, static_cast<GLint>(kSampleBinding));
+  EXPECT_EQ(size, static_cast<GLint>(sizeof(SampleBlock)));
+  EXPECT_EQ(offsetOf(**program, "u_sampling"), static_cast<GLint>(offsetof(SampleBlock, sampling)));
+  EXPECT_EQ(offsetOf(**program, "u_random"), static_cast<GLint>(offsetof(SampleBlock, random)));
+  EXPECT_EQ(offsetOf(**program, "u_window"), static_cast<GLint>(offsetof(SampleBlock, window)));
 }
 
 TEST_F(FrameBlocks, DrawBlockMatchesItsTwin) {
