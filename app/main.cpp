@@ -63,6 +63,7 @@ int runCommand(int argc, char** argv) {
   app.get_formatter()->column_width(34);
   Action action;
   dermis::cli::addRender(app, action);
+  dermis::cli::addThumbnails(app, action);
   dermis::cli::addBake(app, action);
   dermis::cli::addExport(app, action);
   dermis::cli::addInspect(app, action);

@@ -15,6 +15,7 @@ void addExport(CLI::App& root, Action& action);
 void addInspect(CLI::App& root, Action& action);
 void addCompare(CLI::App& root, Action& action);
 void addVerify(CLI::App& root, Action& action);
+void addThumbnails(CLI::App& root, Action& action);
 void addParameters(CLI::App& root, Action& action);
 void addBenchmark(CLI::App& root, Action& action);
 

@@ -311,16 +311,18 @@ Outcome<Look> resolveLook(const LookOptions& options, ProgressLine& progress, Wa
   resolved->scene.camera = resolved->camera;
   if (look.viewGiven) {
     resolved->scene.view.transform = view;
-  } else if (options.scene.empty() &&
-             std::all_of(resolved->slots.begin(), resolved->slots.end(), [](const ResolvedMaterial& slot) {
-               return shadingModelRow(slot.material.model).displayReferred;
-             })) {
-    // These shaders encode by themselves; another view on top would encode twice.
-    resolved->scene.view.transform = "Raw";
+  } else if (options.scene.empty()) {
+    takeViewOfShaders(*resolved);
   }
   look.inputs = collectInputs(*resolved, sceneFile);
   look.resolved = std::move(*resolved);
   return look;
+}
+
+void takeViewOfShaders(ResolvedScene& resolved) {
+  if (std::all_of(resolved.slots.begin(), resolved.slots.end(),
+                  [](const ResolvedMaterial& slot) { return shadingModelRow(slot.material.model).displayReferred; }))
+    resolved.scene.view.transform = "Raw";
 }
 
 Outcome<std::shared_ptr<const Model>> readModel(const std::string& reference) {

@@ -32,6 +32,9 @@ struct Look {
 /// unusable files.
 [[nodiscard]] Outcome<Look> resolveLook(const LookOptions& options, ProgressLine& progress, Warnings& warnings);
 
+/// Where every material is of a shader that encodes by itself the view becomes Raw: another would encode twice.
+void takeViewOfShaders(ResolvedScene& resolved);
+
 /// A model by itself: a file or "builtin:NAME". Prints its warnings.
 [[nodiscard]] Outcome<std::shared_ptr<const Model>> readModel(const std::string& reference);
 

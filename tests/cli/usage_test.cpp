@@ -15,8 +15,8 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands = {"render", "bake",       "inspect",   "compare",
-                                            "verify", "parameters", "benchmark", "export"};
+const std::vector<std::string> kCommands = {"render",     "bake",      "inspect", "compare",   "verify",
+                                            "parameters", "benchmark", "export",  "thumbnails"};
 
 TEST(Usage, VersionIsOneLine) {
   const ProgramResult result = runDermis({"--version"});

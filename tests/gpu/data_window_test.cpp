@@ -89,8 +89,7 @@ class DataWindowPicture : public FrameTest {
     ASSERT_EQ(a.pixels.size(), b.pixels.size());
     int others = 0;
     for (int y = 0; y < m_size.y; ++y)
-      for (int x = 0; x < m_size.x; ++x)
-        others += glm::length(pixel(a, x, y) - pixel(b, x, y)) > 2e-3F ? 1 : 0;
+      for (int x = 0; x < m_size.x; ++x) others += glm::length(pixel(a, x, y) - pixel(b, x, y)) > 2e-3F ? 1 : 0;
     EXPECT_LE(others, m_size.x * m_size.y / 5000);
   }
 };

@@ -232,6 +232,33 @@ TEST_F(Browse, AThumbnailIsDrawnByTheProgramAndKept) {
   EXPECT_EQ(maker.waiting(), 0);
 }
 
+TEST_F(Browse, ThumbnailsThatAreSeenAreDrawnFirstAndABrokenOneKeepsNoneBack) {
+  std::vector<PresetEntry> entries;
+  for (const char* id : {"wax", "lab_rougher", "lab_mirror_sphere", "lab_very_rough", "lab_very_rough_gold",
+                         "lab_very_rough_silver", "lab_very_specular_gold", "hair_black", "hair_blond", "hair_grey"}) {
+    const PresetEntry* entry = panel->library().find(QStringLiteral("builtin:") + QLatin1String(id));
+    ASSERT_NE(entry, nullptr) << id;
+    entries.push_back(*entry);
+  }
+  PresetEntry& gone = entries[1];
+  gone.path = userPresetFolder() + QStringLiteral("/gone.json");
+  gone.key = QStringLiteral("gone");
+  ThumbnailMaker maker;
+  maker.preferShown([&] { return QSet<QString>{entries[9].key}; });
+  std::vector<QString> order;
+  QObject::connect(&maker, &ThumbnailMaker::made, &maker, [&](const QString& key) { order.push_back(key); });
+  maker.want(entries);
+  EXPECT_EQ(maker.waiting(), 10);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return maker.waiting() == 0; }, kPatienceMs));
+  ASSERT_EQ(order.size(), 9U);
+  EXPECT_EQ(order.front(), entries[9].key);
+  EXPECT_EQ(order[1], entries[0].key);
+  EXPECT_EQ(order.back(), entries[8].key);
+  for (const PresetEntry& entry : entries) EXPECT_EQ(maker.find(entry).isNull(), entry.key == gone.key);
+  maker.want(entries);  // what failed is not tried again
+  EXPECT_EQ(maker.waiting(), 0);
+}
+
 TEST_F(Browse, EnvironmentsOfAWatchedFolderShowTheirPanoramas) {
   auto* environments = find<QListWidget>(QStringLiteral("environment.list"));
   auto* words = find<QLineEdit>(QStringLiteral("environment.search"));

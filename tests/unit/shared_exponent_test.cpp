@@ -37,10 +37,11 @@ TEST(SharedExponent, EachChannelIsWithinHalfAStepOfTheLargestsExponent) {
     const double bound = std::max(below * 0x1p-9, 0x1p-25) * (1.0 + 1e-6);
     const auto back = unpacked(packed(value[0], value[1], value[2]));
     for (std::size_t c = 0; c < 3; ++c)
-      ASSERT_NEAR(back[c], static_cast<double>(value[c]), 2.0 * bound) << value[0] << ' ' << value[1] << ' ' << value[2];
+      ASSERT_NEAR(back[c], static_cast<double>(value[c]), 2.0 * bound)
+          << value[0] << ' ' << value[1] << ' ' << value[2];
     // A largest channel that rounds up to the next power of two takes its exponent, and steps of twice the size.
-    const bool carried = back[static_cast<std::size_t>(std::max_element(value.begin(), value.end()) - value.begin())] >=
-                         2.0 * below;
+    const bool carried =
+        back[static_cast<std::size_t>(std::max_element(value.begin(), value.end()) - value.begin())] >= 2.0 * below;
     if (carried) continue;
     for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(back[c], static_cast<double>(value[c]), bound);
   }

@@ -1,4 +1,4 @@
-// Thumbnails of presets, drawn by the program itself in a process of low priority, kept on disk.
+// Thumbnails of presets, drawn by the program itself (`dermis thumbnails`) in a process of low priority, kept on disk.
 #pragma once
 
 #include <QImage>
@@ -7,6 +7,8 @@
 #include <QSet>
 #include <QTimer>
 #include <deque>
+#include <functional>
+#include <vector>
 
 #include "ui/browse/preset_library.h"
 
@@ -26,17 +28,19 @@ class ThumbnailMaker : public QObject {
 
   /// Null where there is none yet.
   [[nodiscard]] QImage find(const PresetEntry& entry) const;
+  /// The keys that this names come before the others. Asked each time that some are begun.
+  void preferShown(std::function<QSet<QString>()> shown) { m_shown = std::move(shown); }
   /// Those without a thumbnail are drawn, in this order; what waited before is forgotten.
   void want(const std::vector<PresetEntry>& entries);
   void cancel();
-  /// While held nothing new is begun: the editor's own loading and baking come first.
+  /// While held nothing is drawn: the editor's own loading and baking come first.
   void hold(bool held);
   /// Something is being edited: what is being drawn stands still until kYieldMs after the last call. Its pictures would
   /// come half as often on software OpenGL, whatever the priority.
   void yield();
   /// Off: what is there is shown, nothing is drawn.
   void setEnabled(bool enabled);
-  [[nodiscard]] int waiting() const { return static_cast<int>(m_queue.size()) + (m_current.isEmpty() ? 0 : 1); }
+  [[nodiscard]] int waiting() const { return static_cast<int>(m_queue.size() + m_current.size()); }
 
  Q_SIGNALS:
   void made(const QString& key);
@@ -45,17 +49,19 @@ class ThumbnailMaker : public QObject {
 
  private:
   struct Order {
-    QString key;
-    QStringList look;  ///< what of the command line says what is drawn
+    QString key, path;
   };
   void next();
-  void finished(bool well);
+  void readMade();
+  void finished(bool crashed);
+  [[nodiscard]] bool isBeingDrawn(const QString& key) const;
   void signalProcess(int signal);
 
   QString m_folder;
   QString m_program;
+  std::function<QSet<QString>()> m_shown;
   std::deque<Order> m_queue;
-  QString m_current;
+  std::vector<Order> m_current;  ///< asked of the process and not there yet
   QSet<QString> m_failed;
   QProcess m_process{this};
   QTimer m_later;

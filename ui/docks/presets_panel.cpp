@@ -90,6 +90,7 @@ PresetsPanel::PresetsPanel(Document& document, Loading& loading, Preferences& pr
           [this](const QString& from, const QString& to, const Material& before, const Material& after) {
             m_document.presetRewritten(from.toStdString(), to.toStdString(), before, after);
           });
+  m_thumbnails.preferShown([this] { return shownKeys(); });
   connect(&m_thumbnails, &ThumbnailMaker::made, this, &PresetsPanel::showThumbnail);
   connect(&m_thumbnails, &ThumbnailMaker::progressed, this, &PresetsPanel::showProgress);
   connect(&m_preferences, &Preferences::changed, this,
@@ -211,6 +212,16 @@ void PresetsPanel::revert() { m_loading.revertToPreset(m_document.editedSlots())
 void PresetsPanel::showThumbnail(const QString& key) {
   m_icons.remove(key);
   m_list->viewport()->update();
+}
+
+QSet<QString> PresetsPanel::shownKeys() const {
+  QSet<QString> keys;
+  for (int i = 0; i < m_list->count() && m_list->isVisible(); ++i) {
+    const QListWidgetItem* item = m_list->item(i);
+    if (!item->isHidden() && m_list->visualItemRect(item).intersects(m_list->viewport()->rect()))
+      keys.insert(item->data(PresetList::kKeyRole).toString());
+  }
+  return keys;
 }
 
 void PresetsPanel::showProgress(int done, int waiting) {

@@ -57,6 +57,7 @@ class PresetsPanel : public QWidget {
   void applySelected();
   void revert();
   void showThumbnail(const QString& key);
+  [[nodiscard]] QSet<QString> shownKeys() const;
   void showProgress(int done, int waiting);
   void fillMenu(QMenu* menu);
   void askName();
