@@ -45,7 +45,8 @@ float Nose::lobule(const glm::vec3& p) const {
 float Nose::join(float face, const glm::vec3& p) const {
   if (far(p)) return face;
   const float d = smoothMin(face, bridge(p), glm::mix(10.0F, 14.0F, fade(-20.0F, 4.0F, p.y)));
-  return smoothMin(d, lobule(p), 6.5F);
+  // The wing runs into the flank above it; behind and below it stands apart.
+  return smoothMin(d, lobule(p), glm::mix(11.0F, 6.5F, fade(-42.0F, -30.0F, p.y)));
 }
 
 float Nose::nostril(const glm::vec3& q) {

@@ -14,9 +14,9 @@ float bustCut(const glm::vec3& p) {
 
 /// Where the crease of the wing meets the cheek: the one stroke that is drawn in space.
 Stroke alarGroove() {
-  return Stroke({{{9, -33, 106.5F}, 4.5F, -0.1F},
-                 {{13.5F, -31.8F, 100.5F}, 5.0F, -0.7F},
-                 {{17.4F, -35, 95.5F}, 4.8F, -1.5F},
+  return Stroke({{{11, -32, 104.5F}, 5.0F, -0.05F},
+                 {{14.5F, -32.2F, 99.5F}, 5.5F, -0.35F},
+                 {{17.4F, -35.5F, 95.5F}, 5.0F, -1.1F},
                  {{18.2F, -41, 93.5F}, 4.5F, -1.7F},
                  {{17.0F, -46, 94.5F}, 4.0F, -0.9F}});
 }
