@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,6 +17,7 @@
 #include "core/builtin/head/head_look.h"
 #include "core/io/asset_loader.h"
 #include "core/material/preset_io.h"
+#include "core/material/preset_tags.h"
 
 namespace dermis::cli {
 namespace {
@@ -35,36 +38,51 @@ struct Order {
   fs::path file;
 };
 
-/// The embedded look with the material in one of its slots, from near.
-Scene headWith(const Material& material, const char* slot, const Camera& camera) {
-  Scene scene = defaultLook();
-  scene.camera = camera;
-  scene.materials[slot].material = material;
-  return scene;
-}
+/// Where on the embedded head a preset is shown, and from where it is looked at.
+struct Place {
+  std::string_view slot;
+  glm::vec3 position, target;
+  float verticalFovDegrees;
+};
+constexpr std::array<Place, 4> kPlaces = {{
+    {"face", {0.17F, 0.02F, 0.62F}, {0.0F, -0.04F, 0.0F}, 24.0F},
+    {"eye", {0.034F, 0.0F, 0.16F}, {0.032F, 0.0F, 0.0F}, 22.0F},
+    {"lens", {0.034F, 0.0F, 0.16F}, {0.032F, 0.0F, 0.0F}, 22.0F},
+    {"hair", {0.036F, 0.014F, 0.2F}, {0.032F, 0.012F, 0.0F}, 22.0F},
+}};
 
-/// A face, an eye, a ball.
-Scene sceneFor(const Material& material) {
-  Camera camera;
+/// What a tag names, else what the model is for; null: a ball shows it best.
+const Place* placeOf(const Material& material) {
+  for (const std::string& tag : presetTags(material))
+    if (const auto found = std::ranges::find(kPlaces, tag, &Place::slot); found != kPlaces.end()) return &*found;
   switch (material.model) {
     case ShadingModel::Skin:
     case ShadingModel::Thesis:
-      camera.position = {0.17F, 0.02F, 0.62F};
-      camera.target = {0.0F, -0.04F, 0.0F};
-      camera.verticalFovDegrees = 24.0F;
-      return headWith(material, "face", camera);
+      return &kPlaces[0];
     case ShadingModel::Eye:
-      camera.position = {0.034F, 0.0F, 0.16F};
-      camera.target = {0.032F, 0.0F, 0.0F};
-      camera.verticalFovDegrees = 22.0F;
-      return headWith(material, "eye", camera);
-    default: {
-      Scene scene;
-      scene.model.builtin = "sphere";
-      scene.materials["*"].material = material;
-      return scene;
-    }
+      return &kPlaces[1];
+    case ShadingModel::Lens:
+      return &kPlaces[2];
+    default:
+      return nullptr;
   }
+}
+
+Scene sceneFor(const Material& material) {
+  Scene scene;
+  if (const Place* place = placeOf(material)) {
+    scene = defaultLook();
+    Camera camera;
+    camera.position = place->position;
+    camera.target = place->target;
+    camera.verticalFovDegrees = place->verticalFovDegrees;
+    scene.camera = camera;
+    scene.materials[std::string(place->slot)].material = material;
+  } else {
+    scene.model.builtin = "sphere";
+    scene.materials["*"].material = material;
+  }
+  return scene;
 }
 
 Outcome<Look> lookOf(const std::string& preset, const std::shared_ptr<AssetCache>& cache, Warnings& warnings) {
@@ -162,7 +180,8 @@ void addThumbnails(CLI::App& root, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
   command->footer(R"(
-Skin is drawn on the embedded head, an eye from near, anything else on a ball. Each picture is a PNG named like its
+Skin is drawn on the embedded head, an eye and a lens from near, anything else on a ball; a tag that names a slot of the
+head, such as hair, puts a preset there. Each picture is a PNG named like its
 preset, and its file name goes to stdout as soon as it is there. One preset that cannot be drawn is an error; the
 others are drawn all the same.
 
