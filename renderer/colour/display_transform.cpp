@@ -173,7 +173,7 @@ class OcioTransform final : public DisplayTransform {
     image.channels = 3;
     image.type = PixelType::Float;
     const auto bytes = std::as_bytes(std::span(rgb));
-    image.pixels.assign(bytes.begin(), bytes.end());
+    image.pixels.assign(bytes);
     return image;
   }
 

@@ -165,7 +165,7 @@ Result<Image> readWhole(const ImageSource& source, const Layout& layout, PixelTy
   image.pixels.reserve(image.rowBytes() * static_cast<std::size_t>(layout.height));
   RowPump pump(source, layout, type);
   auto done = pump.run(
-      stop, [&](std::span<const std::byte> row) { image.pixels.insert(image.pixels.end(), row.begin(), row.end()); });
+      stop, [&](std::span<const std::byte> row) { image.pixels.append(row); });
   if (!done) return tl::unexpected(done.error());
   return image;
 }

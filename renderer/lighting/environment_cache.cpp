@@ -1,10 +1,6 @@
 #include "lighting/environment_cache.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -14,6 +10,7 @@
 #include <vector>
 
 #include "core/base/file_io.h"
+#include "core/base/mapped_file.h"
 #include "core/io/disk_cache.h"
 #include "lighting/sharp_cube.h"
 
@@ -45,34 +42,6 @@ constexpr std::array<char, 8> kMagic = {'D', 'R', 'M', 'S', 'E', 'N', 'V', '1'};
 
 std::uint64_t headerHash(const Header& header) { return XXH3_64bits(&header, offsetof(Header, headerHash)); }
 
-/// A read-only view of a whole file.
-class Mapping {
- public:
-  explicit Mapping(const fs::path& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return;
-    struct stat status {};
-    if (::fstat(file, &status) == 0 && status.st_size > 0) {
-      m_size = static_cast<std::size_t>(status.st_size);
-      m_data = ::mmap(nullptr, m_size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file, 0);
-      if (m_data == MAP_FAILED) m_data = nullptr;
-    }
-    ::close(file);
-  }
-  ~Mapping() {
-    if (m_data != nullptr) ::munmap(m_data, m_size);
-  }
-  Mapping(const Mapping&) = delete;
-  Mapping& operator=(const Mapping&) = delete;
-  [[nodiscard]] std::span<const std::byte> bytes() const {
-    return {static_cast<const std::byte*>(m_data), m_data == nullptr ? 0 : m_size};
-  }
-
- private:
-  void* m_data = nullptr;
-  std::size_t m_size = 0;
-};
-
 /// Bytes that a cube of this shape holds; 0 for an impossible shape.
 std::uint64_t expectedBytes(const CubeShape& shape) {
   if (shape.faceSize < 1 || shape.faceSize > 16384 || shape.layers < 1 || shape.layers > 64 || shape.levels < 1 ||
@@ -101,7 +70,7 @@ fs::path environmentCacheFile(const EnvironmentBakeOptions& options, const Envir
 std::shared_ptr<BakedEnvironment> readEnvironmentCache(const EnvironmentBakeOptions& options,
                                                        const EnvironmentImages& images) {
   const fs::path path = cachedFile(environmentCacheFile(options, images));
-  auto mapping = std::make_shared<Mapping>(path);
+  auto mapping = std::make_shared<const MappedFile>(path);
   const auto bytes = mapping->bytes();
   Header header{};
   if (bytes.size() < sizeof header) return nullptr;

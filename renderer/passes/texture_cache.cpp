@@ -95,6 +95,7 @@ bool TextureCache::step(Warnings& messages) {
     return false;
   }
   if (!first.upload->step(kSliceBytes)) return false;
+  first.image->pixels.giveBack();
   m_entries.emplace(first.key, Entry{first.image, std::make_shared<gl::Texture>(first.upload->take()), nullptr});
   ++m_uploaded;
   m_pending.pop_front();

@@ -105,7 +105,7 @@ TEST(BuiltinContent, EnvironmentsAreTheSameEveryTimeAndFollowTheConvention) {
 }
 
 TEST(BuiltinContent, IntegersAreDecodedFromSrgbAndFloatsAreNot) {
-  Image grey{1, 1, 1, PixelType::U8, {std::byte{188}}, "grey"};
+  Image grey{1, 1, 1, PixelType::U8, std::vector{std::byte{188}}, "grey"};
   Image linear = toLinearRadiance(grey);
   ASSERT_EQ(linear.channels, 3);
   std::array<float, 3> rgb{};

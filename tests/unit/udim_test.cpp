@@ -93,7 +93,7 @@ TEST(UdimSquares, AnEnlargedTileIsSmooth) {
   image.width = 2;
   image.height = 1;
   image.channels = 1;
-  image.pixels = {std::byte{0}, std::byte{200}};
+  image.pixels = std::vector{std::byte{0}, std::byte{200}};
   const Image wide = resampled(image, 4, 2);
   const int kExpected[] = {0, 50, 150, 200};
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(std::to_integer<int>(wide.pixels[i]), kExpected[i % 4]) << i;

@@ -5,10 +5,13 @@
 
 #include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <memory>
+#include <span>
 #include <system_error>
+#include <utility>
 
 #include "core/base/file_io.h"
+#include "core/base/mapped_file.h"
 #include "core/io/disk_cache.h"
 
 namespace dermis {
@@ -34,28 +37,28 @@ fs::path fileOf(const ImageKey& key) {
 }  // namespace
 
 std::optional<Image> readCachedImage(const ImageKey& key, std::string_view name) {
-  const fs::path file = cachedFile(fileOf(key));
-  std::ifstream in(file, std::ios::binary);
+  const fs::path path = cachedFile(fileOf(key));
+  auto file = std::make_shared<const MappedFile>(path);
+  const std::span<const std::byte> bytes = file->bytes();
   Header header;
-  if (!in.read(reinterpret_cast<char*>(&header), sizeof header) || header.source != key.source) return std::nullopt;
+  if (bytes.size() < sizeof header) return std::nullopt;
+  std::memcpy(&header, bytes.data(), sizeof header);
   Image image;
   image.width = header.width;
   image.height = header.height;
   image.channels = header.channels;
   image.type = static_cast<PixelType>(header.type);
   image.name = name;
-  // Nobody allocates what a damaged header says.
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error || image.width < 1 || image.height < 1 || image.channels < 1 || size > kMostBytes ||
-      size != sizeof header + static_cast<std::uintmax_t>(image.height) * image.rowBytes())
+  const std::span<const std::byte> pixels = bytes.subspan(sizeof header);
+  if (header.source != key.source || image.width < 1 || image.height < 1 || image.channels < 1 || image.channels > 4 ||
+      header.type < 0 || header.type > static_cast<int>(PixelType::Float) ||
+      pixels.size() != static_cast<std::uintmax_t>(image.height) * image.rowBytes() ||
+      header.hash != XXH3_64bits(pixels.data(), pixels.size()))
     return std::nullopt;
-  image.pixels.resize(static_cast<std::size_t>(size) - sizeof header);
-  if (!in.read(reinterpret_cast<char*>(image.pixels.data()), static_cast<std::streamsize>(image.pixels.size())) ||
-      header.hash != XXH3_64bits(image.pixels.data(), image.pixels.size()))
-    return std::nullopt;
+  image.pixels = PixelBytes(std::move(file), pixels);
   // The time of last use, for trimDiskCache().
-  fs::last_write_time(file, fs::file_time_type::clock::now(), error);
+  std::error_code ignored;
+  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
   return image;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/image/pixel_bytes.h"
+
 namespace dermis {
 
 enum class PixelType : std::uint8_t { U8, U16, Half, Float };
@@ -22,7 +24,7 @@ struct Image {
   int height = 0;
   int channels = 0;  ///< 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
   PixelType type = PixelType::U8;
-  std::vector<std::byte> pixels;
+  PixelBytes pixels;
   std::string name;  ///< the file's name, for messages
   /// Of a set of UDIM tiles their numbers, ascending: `height` is that of all, one below the other (image_tiles.h).
   std::vector<int> tiles = {};

@@ -78,8 +78,7 @@ Image tileOf(const Image& set, std::size_t index) {
   tile.type = set.type;
   tile.name = set.name;
   const std::size_t bytes = set.rowBytes() * static_cast<std::size_t>(tile.height);
-  const auto from = set.pixels.begin() + static_cast<std::ptrdiff_t>(index * bytes);
-  tile.pixels.assign(from, from + static_cast<std::ptrdiff_t>(bytes));
+  tile.pixels.assign({set.pixels.data() + index * bytes, bytes});
   return tile;
 }
 
