@@ -175,7 +175,8 @@ class GlRenderer final : public Renderer {
       if (castShadows) both.push_back(withTiles(casterProgram(cutOuts), cutOuts && tiled));
       if (mayDisplace) both.push_back(withTiles(displacedCasterProgram(), tiled));
     }
-    // Without a window what spreads the light is compiled when it is drawn: a picture of one sample takes the other one.
+    // Without a window what spreads the light is compiled when it is drawn: a picture of one sample takes the other
+    // one.
     if (m_hasWindow && (isSplit(scene) || withAovs)) {
       const std::size_t profiles = profileCount(scene);
       for (gl::ProgramSources& sources : subsurfacePrograms(DiffusionQuality::Disc, profiles))

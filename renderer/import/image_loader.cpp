@@ -164,8 +164,7 @@ Result<Image> readWhole(const ImageSource& source, const Layout& layout, PixelTy
   // Reserved, not touched: a file that lies about its size fails before the memory is used.
   image.pixels.reserve(image.rowBytes() * static_cast<std::size_t>(layout.height));
   RowPump pump(source, layout, type);
-  auto done = pump.run(
-      stop, [&](std::span<const std::byte> row) { image.pixels.append(row); });
+  auto done = pump.run(stop, [&](std::span<const std::byte> row) { image.pixels.append(row); });
   if (!done) return tl::unexpected(done.error());
   return image;
 }

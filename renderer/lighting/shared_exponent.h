@@ -26,7 +26,10 @@ inline void toSharedExponent(std::span<const float> rgba, std::uint32_t* to) {
     const std::uint32_t exponent = floatExponent - (127U - 16U);
     // 2^(24 − exponent): mantissas are counted in steps of 2^(exponent − 15 − 9).
     const float steps = std::bit_cast<float>((127U + 24U - exponent) << 23U);
-    const auto mantissa = [steps](float v) { return static_cast<std::uint32_t>(static_cast<int>(v * steps + 0.5F)); };
+    // Values are ≥ 0, so this rounds; lround would not become vector instructions.
+    const auto mantissa = [steps](float v) {
+      return static_cast<std::uint32_t>(static_cast<int>(v * steps + 0.5F));  // NOLINT(bugprone-incorrect-roundings)
+    };
     to[i] = mantissa(r) | mantissa(g) << 9U | mantissa(b) << 18U | exponent << 27U;
   }
 }

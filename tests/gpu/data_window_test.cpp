@@ -40,12 +40,14 @@ TEST(DataWindow, ACroppedCameraPutsEveryPointOnTheSamePixel) {
 TEST(DataWindow, WhatLiesAroundAPartAndThePartAreThePicture) {
   const glm::ivec2 size(40, 30);
   for (const PixelArea& part : {PixelArea{{8, 4}, {16, 20}}, PixelArea{{0, 0}, {40, 12}}, PixelArea{{32, 0}, size}}) {
-    std::vector<int> touched(static_cast<std::size_t>(size.x * size.y), 0);
+    const auto columns = static_cast<std::size_t>(size.x);
+    std::vector<int> touched(columns * static_cast<std::size_t>(size.y), 0);
     std::vector<PixelArea> areas = areasAround(part, size);
     areas.push_back(part);
     for (const PixelArea& area : areas)
       for (int y = area.lower.y; y < area.upper.y; ++y)
-        for (int x = area.lower.x; x < area.upper.x; ++x) ++touched.at(static_cast<std::size_t>(y * size.x + x));
+        for (int x = area.lower.x; x < area.upper.x; ++x)
+          ++touched.at(static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x));
     EXPECT_TRUE(std::ranges::all_of(touched, [](int count) { return count == 1; }));
   }
 }
@@ -125,6 +127,7 @@ TEST_F(DataWindowPicture, PointsArePickedAndReadWhereTheyAre) {
   for (int y = 8; y < m_size.y; y += 24)
     for (int x = 8; x < m_size.x; x += 24) places.emplace_back(x, y);
   std::vector<std::optional<glm::vec3>> picked;
+  picked.reserve(places.size());
   for (const glm::ivec2 place : places) picked.push_back(m_renderer->pickPosition(place));
   const Image cropped = still(scene, 1);
   ASSERT_TRUE(isCropped());

@@ -42,7 +42,7 @@ class Browse : public Editor {
     Material material;
     material.name = name;
     material.parameters.subsurfaceScale = scale;
-    const QString path = folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".json");
+    QString path = folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".json");
     EXPECT_TRUE(savePreset(path.toStdString(), material));
     return path;
   }

@@ -28,8 +28,8 @@ TEST_F(MappedPixels, AreReadWhereTheyStand) {
   const PixelBytes bytes = mapped();
   EXPECT_EQ(text(bytes), "cdefgh");
   EXPECT_EQ(bytes.data(), m_file->bytes().data() + 2);
-  const PixelBytes copy = bytes;
-  EXPECT_EQ(copy.data(), bytes.data()) << "a copy shares the file";
+  const std::vector<PixelBytes> copies(2, bytes);
+  EXPECT_EQ(copies[1].data(), bytes.data()) << "a copy shares the file";
   EXPECT_EQ(bytes[3], std::byte{'f'});
   bytes.giveBack();
   EXPECT_EQ(text(bytes), "cdefgh") << "what was given back comes again";

@@ -75,8 +75,8 @@ void ThumbnailMaker::want(const std::vector<PresetEntry>& entries) {
 void ThumbnailMaker::next() {
   if (m_held || m_yielding.isActive() || !m_current.empty() || m_queue.empty()) return;
   if (m_shown)
-    std::ranges::stable_partition(m_queue,
-                                  [shown = m_shown()](const Order& order) { return shown.contains(order.key); });
+    std::stable_partition(m_queue.begin(), m_queue.end(),
+                          [shown = m_shown()](const Order& order) { return shown.contains(order.key); });
   QStringList arguments{QStringLiteral("thumbnails")};
   for (std::size_t i = std::min(kTogether, m_queue.size()); i > 0; --i) {
     arguments << m_queue.front().key + QLatin1Char('=') + m_queue.front().path;

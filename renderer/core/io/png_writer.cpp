@@ -14,7 +14,8 @@ namespace dermis {
 namespace {
 
 /// Runs and Huffman codes alone, over differences from the row above: pictures hold few longer repeats, so files are as
-/// small as at deflate's level 3 (the built-in look a tenth smaller, its colour map a twentieth larger) in half its time.
+/// small as at deflate's level 3 (the built-in look a tenth smaller, its colour map a twentieth larger) in half its
+/// time.
 constexpr int kStrategy = Z_RLE;
 constexpr int kFilter = PNG_FILTER_UP;
 
