@@ -4212,6 +4212,46 @@ sRGB %4</source>
         <source>A large warm key from high on the left, a soft cooler fill, a reflector below, rims from behind, a bank overhead; dark walls.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Eye, blue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye, brown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye, dark brown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye, green</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye, grey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Eye, hazel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hair, black</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hair, blond</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hair, brown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hair, grey</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>views</name>
