@@ -260,7 +260,8 @@ void Frame::drawAround(const FrameContext& frame) {
   glViewport(0, 0, frame.size().x, frame.size().y);
   if (m_targets.split()) {
     const auto timed = m_timer.pass("subsurface");
-    // Two passes are enough while something moves; what is looked at or exported gathers from the whole disc.
+    // Two passes are enough while something moves, and better than one grainy sample of the disc, which other pictures
+    // gather from.
     const bool spreads = (request.moving || m_targetSamples == 1) && m_targets.prepareSpread().has_value();
     subsurfacePass(frame, spreads ? DiffusionQuality::Separable : DiffusionQuality::Disc);
   }

@@ -81,9 +81,9 @@ class RenderTargets {
   [[nodiscard]] const gl::Texture& image(SceneImage image) const {
     return m_imagesOf.at(static_cast<std::size_t>(image));
   }
-  /// The same of the whole picture: the beauty alone where images are cropped.
+  /// The same of the whole picture; where images are cropped there is none but the beauty.
   [[nodiscard]] const gl::Texture& whole(SceneImage image) const {
-    return isCropped() ? m_picture : this->image(image);
+    return !isCropped() ? this->image(image) : image == SceneImage::Beauty ? m_picture : m_none;
   }
   [[nodiscard]] const gl::Framebuffer& pictureBuffer() const { return m_pictureBuffer; }
   [[nodiscard]] const gl::Texture& sum(SceneImage image) const { return m_sums.at(static_cast<std::size_t>(image)); }
@@ -112,7 +112,7 @@ class RenderTargets {
   std::array<gl::Texture, kSceneImageCount> m_imagesOf, m_sums;
   std::array<gl::Framebuffer, kSceneImageCount> m_sumBuffers;
   gl::Texture m_depth, m_msColour, m_msDepth;
-  gl::Texture m_spread, m_encoded, m_picture;
+  gl::Texture m_spread, m_encoded, m_picture, m_none;
   gl::Texture m_surface, m_tangent, m_far;
   struct SurfaceImages {
     gl::Texture sky, bounce, gradients;

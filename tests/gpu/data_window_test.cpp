@@ -161,6 +161,37 @@ TEST_F(DataWindowPicture, ATurningCameraGetsItsOwnPictureEachTime) {
   }
 }
 
+TEST_F(DataWindowPicture, SamplesOfOnePictureAddUpWhateverWasDrawnBefore) {
+  // The ball in a corner, then in another, then filling the picture: each in images that the one before left.
+  struct View {
+    glm::vec3 position, target;
+  };
+  for (const View& view :
+       {View{{0, 0, 14}, {3.5F, 1.8F, 0}}, View{{0, 0, 14}, {-3.5F, -1.8F, 0}}, View{{0, 0, 3}, {0, 0, 0}},
+        View{{0, 0, 9}, {1, 0, 0}}, View{{0, 0, 30}, {9, 4, 0}}, View{{0, 0, 14}, {3.5F, 1.8F, 0}}}) {
+    ResolvedScene scene = ball();
+    scene.camera.position = view.position;
+    scene.camera.target = view.target;
+    show(scene);
+    const FrameRequest frame = request(scene, 3);
+    for (int sample = 1; sample <= 3; ++sample) {
+      EXPECT_TRUE(m_renderer->accumulating() || sample == 1);
+      ASSERT_TRUE(m_renderer->renderFrame(frame));
+      EXPECT_EQ(m_renderer->statistics().samples, sample);
+    }
+    EXPECT_FALSE(m_renderer->accumulating());
+  }
+}
+
+TEST_F(DataWindowPicture, AnImageThatNobodyKeptIsBlack) {
+  const ResolvedScene scene = ball();
+  still(scene, 1);
+  ASSERT_TRUE(isCropped());
+  const Image normal = m_renderer->readAov(Aov::Normal);
+  ASSERT_EQ(normal.width, m_size.x);
+  EXPECT_TRUE(std::ranges::all_of(normal.pixels, [](std::byte b) { return b == std::byte{0}; }));
+}
+
 TEST_F(DataWindowPicture, AModelThatFillsThePictureOrLeavesItIsNotCropped) {
   ResolvedScene scene = ball();
   scene.camera.position = {0.0F, 0.0F, 3.0F};
