@@ -127,6 +127,9 @@ Outcome<int> thumbnails(const ThumbnailOptions& options) {
   for (const std::string& text : options.presets) {
     Outcome<Order> order = orderOf(text, options.folder);
     if (!order) return tl::unexpected(order.error());
+    if (std::ranges::find(orders, order->file, &Order::file) != orders.end())
+      return wrongUsage(fmt::format("two presets would be drawn into {}; name one of them, as in other={}",
+                                    order->file.string(), order->preset));
     orders.push_back(std::move(*order));
   }
   if (const auto made = makeFolder(options.folder); !made) return tl::unexpected(made.error());
@@ -180,10 +183,9 @@ void addThumbnails(CLI::App& root, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(1, 1 << 20));
   command->footer(R"(
-Skin is drawn on the embedded head, an eye and a lens from near, anything else on a ball; a tag that names a slot of the
-head, such as hair, puts a preset there. Each picture is a PNG named like its
-preset, and its file name goes to stdout as soon as it is there. One preset that cannot be drawn is an error; the
-others are drawn all the same.
+Skin is drawn on the embedded head, an eye and a lens from near, anything else on a ball; a tag that names a slot of
+the head, such as hair, puts a preset there. Each picture is a PNG named like its preset, and its file name goes to
+stdout as soon as it is there. One preset that cannot be drawn is an error; the others are drawn all the same.
 
 Examples:
   dermis thumbnails builtin:jade builtin:face_tone_iv -o thumbnails

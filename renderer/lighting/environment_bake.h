@@ -24,7 +24,7 @@ struct EnvironmentBakeOptions {
 /// Sizes, times and counts, as `dermis bake environment` writes them to bake.json.
 struct EnvironmentFigures {
   int sharpFaceSize = 0, prefilteredFaceSize = 0, irradianceFaceSize = 0;
-  bool floatStorage = false;  ///< RGBA32F, because the brightest texel passes what the smaller formats hold
+  bool floatStorage = false;  ///< RGBA32F: a constant, or the range passes what the smaller formats hold
   bool fromCache = false;
   CleanedTexels cleaned;
   double cleanMs = 0, sourcesMs = 0, sharpMs = 0, prefilterMs = 0, irradianceMs = 0, cacheMs = 0,

@@ -9,7 +9,6 @@
 
 #include "cli/program.h"
 #include "core/image/comparison.h"
-#include "core/io/importer.h"
 #include "unit/temporary_folder.h"
 
 namespace dermis::test {
@@ -36,14 +35,6 @@ const json& cases() {
 Tolerance tolerance(const std::string& name) {
   const json& t = cases()["tolerances"][name];
   return {t["mean"], t["maximum"], t["past"], t["failing"]};
-}
-
-Image read(const fs::path& file) {
-  const auto module = importer();
-  Warnings warnings;
-  auto image = module ? (*module)->loadImage(file, {}, warnings) : Result<Image>(runtimeError(module.error().message));
-  EXPECT_TRUE(image) << (image ? "" : image.error().message);
-  return image ? std::move(*image) : Image{};
 }
 
 /// Standard deviation of the green channel: a black or empty picture has none.
@@ -79,7 +70,7 @@ TEST_P(Golden, LooksAsKept) {
   ASSERT_EQ(result.exitCode, 0) << result.allErrors();
 
   const fs::path kept = kFolder / "pictures" / picture.filename();
-  const Image now = read(picture);
+  const Image now = readPicture(picture);
   EXPECT_GT(variation(now), 0.02) << "the picture is empty";
   if (std::getenv("DERMIS_GOLDEN_UPDATE") != nullptr) {
     fs::copy_file(picture, kept, fs::copy_options::overwrite_existing);
@@ -87,7 +78,7 @@ TEST_P(Golden, LooksAsKept) {
   }
   ASSERT_TRUE(fs::exists(kept)) << "no kept picture; tests/golden/update.sh makes it";
   const Tolerance allowed = tolerance(it->value("tolerance", "filtered"));
-  const auto comparison = compareImages(read(kept), now, allowed.past);
+  const auto comparison = compareImages(readPicture(kept), now, allowed.past);
   ASSERT_TRUE(comparison) << comparison.error().message;
   EXPECT_LE(comparison->mean, allowed.mean);
   EXPECT_LE(comparison->maximum, allowed.maximum);

@@ -1,6 +1,7 @@
 #include "cli/program.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,9 @@
 #include <chrono>
 #include <csignal>
 #include <sstream>
+#include <utility>
+
+#include "core/io/importer.h"
 
 namespace dermis::test {
 namespace {
@@ -103,6 +107,14 @@ ProgramResult runProgram(const std::string& program, const std::vector<std::stri
   for (std::string line; std::getline(lines, line);)
     if (!line.empty()) (line.starts_with("warning: ") ? result.warnings : result.errors).push_back(line);
   return result;
+}
+
+Image readPicture(const std::filesystem::path& file) {
+  const auto module = importer();
+  Warnings warnings;
+  auto image = module ? (*module)->loadImage(file, {}, warnings) : Result<Image>(runtimeError(module.error().message));
+  EXPECT_TRUE(image) << (image ? "" : image.error().message);
+  return image ? std::move(*image) : Image{};
 }
 
 }  // namespace dermis::test

@@ -1,9 +1,12 @@
 // Runs the built program as a shell would, without a display.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "core/image/image.h"
 
 namespace dermis::test {
 
@@ -26,5 +29,8 @@ ProgramResult runDermis(const std::vector<std::string>& arguments,
 /// The same of a program that lies elsewhere.
 ProgramResult runProgram(const std::string& program, const std::vector<std::string>& arguments,
                          const std::map<std::string, std::string>& environment = {});
+
+/// A picture that the program wrote; a failure of the test, and empty, where it can't be read.
+Image readPicture(const std::filesystem::path& file);
 
 }  // namespace dermis::test

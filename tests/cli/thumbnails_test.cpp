@@ -4,7 +4,6 @@
 #include <fstream>
 
 #include "cli/program.h"
-#include "core/io/importer.h"
 #include "unit/temporary_folder.h"
 
 namespace dermis::test {
@@ -13,14 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Image read(const fs::path& file) {
-  const auto module = importer();
-  Warnings warnings;
-  auto image = module ? (*module)->loadImage(file, {}, warnings) : Result<Image>(runtimeError(module.error().message));
-  EXPECT_TRUE(image) << (image ? "" : image.error().message);
-  return image ? std::move(*image) : Image{};
-}
 
 class Thumbnails : public testing::Test {
  protected:
@@ -36,7 +27,7 @@ TEST_F(Thumbnails, EachPresetHasAPictureOfItsOwnUnderItsName) {
   std::vector<Image> pictures;
   std::string expected;
   for (const char* name : {"jade.png", "milk.png", "eye_brown.png"}) {
-    pictures.push_back(read(m_out / name));
+    pictures.push_back(readPicture(m_out / name));
     EXPECT_EQ(pictures.back().width, 48);
     EXPECT_EQ(pictures.back().height, 40);
     expected += (m_out / name).string() + "\n";
@@ -47,7 +38,7 @@ TEST_F(Thumbnails, EachPresetHasAPictureOfItsOwnUnderItsName) {
 }
 
 TEST_F(Thumbnails, AreTheSameAloneAndTogether) {
-  const std::vector<std::string> how = {"--size", "32x32", "--samples", "1", "-o"};
+  const std::vector<std::string> how = {"--size", "32x32", "--samples", "2", "-o"};
   const auto draw = [&](std::vector<std::string> presets, const fs::path& folder) {
     std::vector<std::string> arguments = {"thumbnails"};
     arguments.insert(arguments.end(), presets.begin(), presets.end());
@@ -59,7 +50,8 @@ TEST_F(Thumbnails, AreTheSameAloneAndTogether) {
   for (const char* name : {"face_tone_vi", "jade", "skin_tone_ii"}) {
     const fs::path alone = m_folder.path() / name;
     draw({std::string("builtin:") + name}, alone);
-    EXPECT_EQ(read(alone / (std::string(name) + ".png")).pixels, read(m_out / (std::string(name) + ".png")).pixels)
+    EXPECT_EQ(readPicture(alone / (std::string(name) + ".png")).pixels,
+              readPicture(m_out / (std::string(name) + ".png")).pixels)
         << name;
   }
 }
@@ -75,6 +67,13 @@ TEST_F(Thumbnails, OneThatCannotBeDrawnKeepsNoneOfTheOthersFromIt) {
   EXPECT_TRUE(fs::exists(m_out / "milk.png"));
   EXPECT_TRUE(fs::exists(m_out / "wax.png"));
   EXPECT_FALSE(fs::exists(m_out / "broken.png"));
+}
+
+TEST_F(Thumbnails, TwoOfOneNameAreNotDrawnOverEachOther) {
+  const ProgramResult result = runDermis({"thumbnails", "builtin:milk", "milk=builtin:wax", "-o", m_out.string()});
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.allErrors(), HasSubstr("milk.png"));
+  EXPECT_FALSE(fs::exists(m_out));
 }
 
 TEST_F(Thumbnails, NamesAreNamesOfFiles) {

@@ -18,7 +18,6 @@ class PixelBytes {
  public:
   PixelBytes() = default;
   PixelBytes(std::vector<std::byte> bytes) : m_own(std::move(bytes)) {}  // NOLINT: takes a vector's place
-  explicit PixelBytes(std::size_t size) : m_own(size) {}
   /// `part` lies in the file.
   PixelBytes(std::shared_ptr<const MappedFile> file, std::span<const std::byte> part)
       : m_file(std::move(file)), m_part(part) {}
